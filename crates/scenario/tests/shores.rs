@@ -190,6 +190,42 @@ fn the_area_of_a_body_is_not_solid_twice() {
     assert!(words.contains("1 SLCONS (is the outline of a body)"), "{words}");
 }
 
+#[test]
+fn a_fender_meets_the_shore_as_it_meets_the_same_quay_as_a_body() {
+    let fender = "[fender.bow]\non = \"barge\"\nposition = [30, 2]\nfacing = \"0 deg\"\nwidth = 2\nprojection = 1\n\
+                  stiffness = \"2 MN/m\"\nmaterial = \"rock\"\n";
+    let quay = "[body.pier]\nfixed = true\noutline = [[-20, -50], [-20, 50], [0, 50], [0, -50]]\n\
+                [[pair]]\nbodies = [\"barge\", \"pier\"]\nmaterial = \"rock\"\n";
+    // The quay alone: the land and the mole become areas and lines that are not solid.
+    let pier = CHART
+        .replace("\"OBJL\": 71, \"OBJNAM\": \"Main\"", "\"OBJL\": 109")
+        .replace("\"OBJL\": 122, \"OBJNAM\": \"Mole\"", "\"OBJL\": 109");
+    // Slow, and so fast that the fender covers several metres in a step.
+    for (surge, at) in [("0.5 m/s", "[32, 10]"), ("8 m/s", "[60, 10]"), ("0.3 m/s", "[35, -38]")] {
+        let ship = format!("{}{fender}", barge(at, "175 deg", surge));
+        let classes = SOLID.replace("\"LNDARE\", ", "");
+        let as_shore = scenario(&classes, &ship, &pier).unwrap().setup;
+        let as_body = scenario("", &format!("{ship}{quay}"), &pier).unwrap().setup;
+        let mut simulation = Simulation::new(as_shore).unwrap();
+        let mut is_fender_touched = false;
+        while !simulation.is_done() {
+            let record = simulation.step().unwrap();
+            is_fender_touched |= record.contacts.iter().any(|contact| contact.fender.is_some());
+        }
+        assert!(is_fender_touched, "{surge}");
+        let met = simulation.states()[0];
+        let (expected, _) = run(as_body);
+        assert!(
+            (met.position_m - expected.position_m).length() < 1e-9,
+            "{surge}: {met:?} {expected:?}"
+        );
+        assert!(
+            (met.velocity_mps - expected.velocity_mps).length() < 1e-9,
+            "{surge}: {met:?} {expected:?}"
+        );
+    }
+}
+
 /// A coast of 20,000 corners north of a channel: a band of land with a ragged border towards the south, 10 miles long.
 fn ragged_coast() -> String {
     let count = 19_998;

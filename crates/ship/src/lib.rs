@@ -17,6 +17,7 @@
 //! | ships that pass, and the flow between ships and along walls | [`passing`] |
 //! | position of a ship that follows waypoints at given speeds | [`track`] |
 //! | controllers for heading, position and thrust | [`control`] |
+//! | start and length of a time step | [`step_time`] |
 #![forbid(unsafe_code)]
 
 pub mod anchor;
@@ -31,5 +32,6 @@ pub mod mooring;
 pub mod passing;
 pub mod random;
 pub mod range;
+pub mod step_time;
 pub mod track;
 pub mod tug;

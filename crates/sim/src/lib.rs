@@ -203,8 +203,8 @@ pub use fenderline_seakeeping as seakeeping;
 pub use fenderline_ship::chain::{ChainGrade, ChainLink, ChainSize};
 pub use fenderline_ship::range::OutOfRange;
 pub use fenderline_ship::{
-    anchor, attitude, constants, control, distance, environment, hydro, mooring, passing, track,
-    tug,
+    anchor, attitude, constants, control, distance, environment, hydro, mooring, passing,
+    step_time, track, tug,
 };
 pub use fenderline_world::approach::{Approach, Side};
 pub use fenderline_world::chain::{ChainKind, ChainSetup, ChainSummary, ChainTension};

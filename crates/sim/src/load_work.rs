@@ -35,7 +35,8 @@ pub(crate) struct LoadedStep<'a> {
 pub(crate) fn plain_work_j(
     order: &[usize],
     inertias: &[Inertia],
-    (mean, plain): (&[MeanVelocity], &[Wrench]),
+    mean: &[MeanVelocity],
+    plain: &[Wrench],
     step_s: f64,
 ) -> f64 {
     let floating = order.iter().filter(|&&body| !inertias[body].fixed);

@@ -39,6 +39,7 @@ use fenderline_assess::statistics::Statistics;
 use fenderline_assess::summary::Summaries;
 use fenderline_assess::verdict::{Watch, starts_inside};
 use fenderline_ship::attitude::Attitude;
+use fenderline_ship::step_time::StepTime;
 use fenderline_world::change::Changes;
 use fenderline_world::contact_totals::ContactTotals;
 use fenderline_world::dolphin::Dolphins;
@@ -51,6 +52,7 @@ use fenderline_world::model::{Fenders, build_model, inertias};
 use fenderline_world::record::StepRecord;
 use fenderline_world::rigid_body::Inertia;
 use fenderline_world::setup::{Integrator, Load, Method, Setup};
+use fenderline_world::world::{MovingBodies, StepTimes};
 use fenderline_world::world::{NoDepth, VesselSetup, VesselState, World, motions};
 
 /// A simulation run. A clone of a simulation continues independently from the same state.
@@ -107,9 +109,9 @@ impl Simulation {
         let mut loads = setup.loads.clone();
         sort_loads(&mut loads);
         let mut memory = Memory::new(&model);
-        let world = World::new(&setup.world, &setup.bodies, &states, (&motions, setup.step_s));
+        let world = World::new(&setup.world, &setup.bodies, &states, &motions, setup.step_s);
         let mut sides = Sides::new(&setup);
-        let heights = world.heights(&setup.world, (0.0, setup.step_s));
+        let heights = world.heights(&setup.world, StepTime { t_s: 0.0, step_s: setup.step_s });
         sides.renew(&setup, (&mut model, &mut memory), &states, &heights);
         let bodies = Bodies { order: &world.order.bodies, inertias: &inertias, states: &states };
         Ok(Simulation {
@@ -212,7 +214,7 @@ impl Simulation {
     /// Sums all loads on each body except contact: the loads of the set-up and of the host program, and the forces of
     /// vessels, tugs, lines and anchors.
     fn gather_loads(&mut self, t_s: f64) {
-        let (step_s, velocity_time_s) = (self.setup.step_s, self.velocity_time_s());
+        let (step_s, velocity_t_s) = (self.setup.step_s, self.velocity_time_s());
         let Buffers { loads, plain_loads, external, before, lags_s, .. } = &mut self.buffers;
         if !self.setup.world.vessels.is_empty() {
             self.memory.velocity_lags_into(&self.model, lags_s);
@@ -222,9 +224,15 @@ impl Simulation {
         plain_loads.clone_from(loads);
         // The engine's leapfrog starts with half a step for the velocities.
         let acts_s = if self.index == 0 { 0.5 * step_s } else { step_s };
-        let times = (t_s, velocity_time_s, step_s, acts_s);
-        self.world.step(&self.setup.world, (&self.states, lags_s), times, loads);
+        let times = StepTimes { t_s, velocity_t_s, step_s, acts_s };
+        let bodies = MovingBodies { states: &self.states, lags_s };
+        self.world.step(&self.setup.world, bodies, times, loads);
         before.clone_from(&self.states);
+    }
+
+    /// The step that begins at a time.
+    fn step_time(&self, t_s: f64) -> StepTime {
+        StepTime { t_s, step_s: self.setup.step_s }
     }
 
     /// Renews the outlines that fenders meet on hulls with outlines at several heights.
@@ -232,7 +240,7 @@ impl Simulation {
         if self.sides.is_empty() {
             return;
         }
-        let heights = self.world.heights(&self.setup.world, (t_s, self.setup.step_s));
+        let heights = self.world.heights(&self.setup.world, self.step_time(t_s));
         let engine = (Arc::make_mut(&mut self.model), &mut self.memory);
         self.sides.renew(&self.setup, engine, &self.states, &heights);
     }
@@ -278,8 +286,8 @@ impl Simulation {
         let contacts = self.work.contacts();
         self.sides.find_touches(&self.setup, &self.model, &self.buffers.before, contacts);
         let (world, fenders) = (&self.setup.world, &self.setup.fenders);
-        let touched = (contacts, self.sides.touches.as_slice());
-        self.world.settle(world, fenders, touched, &self.states, (t_s, self.setup.step_s));
+        let (touches, step) = (&self.sides.touches, self.step_time(t_s));
+        self.world.settle(world, fenders, contacts, touches, &self.states, step);
     }
 
     /// Adds the step to the summaries of the run, and returns the record of the step. The record is wrapped in `Ok`

@@ -38,7 +38,8 @@ fn step(
     last_n: f64,
 ) -> (AnchorLoad, Vec<AnchorEvent>) {
     let mut events = Vec::new();
-    let load = gear.step(state, hawse, (last_n, WATER, 0.5), &mut |event| events.push(event));
+    let given = AnchorStep { last_n, water_kgpm3: WATER, step_s: 0.5 };
+    let load = gear.step(state, hawse, given, &mut |event| events.push(event));
     (load, events)
 }
 

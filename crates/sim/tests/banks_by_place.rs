@@ -202,7 +202,7 @@ fn walls_of_a_flank_and_of_a_submerged_bank_are_those_in_closed_form() {
     ));
     let state = state.expect("a good set-up").states()[0];
     let hull = ship().particulars;
-    let walls = |bottom: &Bottom| Walls::beside(&hull, &state, (bottom, 0.0, 12.0));
+    let walls = |bottom: &Bottom| Walls::beside(&hull, &state, bottom, 0.0, 12.0);
     let flank = walls(&field(400.0, 2.0, None, one_bank(60.0)));
     assert!((flank.per_m[1] * 60.0 / 2.0_f64.ln() - 1.0).abs() < 1e-3, "{flank:?}");
     assert!((flank.per_m2[1] * 7200.0 - 1.0).abs() < 1e-3, "{flank:?}");

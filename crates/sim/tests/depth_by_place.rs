@@ -348,7 +348,7 @@ fn a_trench_has_its_section_and_squat_follows_its_blockage() {
     let bottom = field(400.0, section);
     // 112 × 14, two slopes of 32 m with a mean of 10 m, and 2 × 35.2 m at 6 m.
     let by_hand_m2 = 112.0 * 14.0 + 2.0 * 32.0 * 10.0 + 2.0 * (123.2 - 88.0) * 6.0;
-    let found_m2 = bottom.section_m2((vec2(0.0, 0.0), vec2(1.0, 0.0)), 0.0, 123.2);
+    let found_m2 = bottom.section_m2(vec2(0.0, 0.0), vec2(1.0, 0.0), 0.0, 123.2);
     assert!((found_m2 / by_hand_m2 - 1.0).abs() < 1e-3, "{found_m2} {by_hand_m2}");
     let squat_by = |formula: Squat, bottom: Option<Bottom>, depth_m: Option<f64>| {
         let squat = Some(formula);

@@ -6,6 +6,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use fenderline_contact::{Vec2, vec2};
+use fenderline_ship::step_time::StepTime;
 use fenderline_sim::constants::{KNOT_MPS, STANDARD_GRAVITY_MPS2 as G};
 use fenderline_sim::tug::*;
 use proptest::prelude::*;
@@ -81,7 +82,7 @@ fn run(tug: &VectorTug, state: &mut TugState, from_s: f64, seconds: u32, step_s:
     let mut last = None;
     for k in 0..steps {
         let t_s = from_s + f64::from(k) * step_s;
-        last = Some(tug.step(state, (t_s, step_s), Vec2::ZERO, 1025.0));
+        last = Some(tug.step(state, StepTime { t_s, step_s }, Vec2::ZERO, 1025.0));
     }
     last.expect("a step at least")
 }
@@ -113,7 +114,7 @@ fn from_push_to_pull_she_lets_go_first() {
     let mut last = 400e3;
     for k in 0..400 {
         let t_s = 200.0 + 0.5 * f64::from(k);
-        let force = tug.step(&mut state, (t_s, 0.5), Vec2::ZERO, 1025.0);
+        let force = tug.step(&mut state, StepTime { t_s, step_s: 0.5 }, Vec2::ZERO, 1025.0);
         assert!((force.force[1] - last).abs() < 0.07 * BP_N);
         assert_eq!(force.at_m, if state.on_line { tug.pull_at_m } else { tug.push_at_m });
         last = force.force[1];
@@ -131,7 +132,12 @@ fn direction_takes_the_short_way() {
     run(&tug, &mut state, 0.0, 200, 1.0);
     tug.order(&mut state, 200.0, at(-170.0)).unwrap();
     for k in 0..200 {
-        let force = tug.step(&mut state, (200.0 + f64::from(k), 1.0), Vec2::ZERO, 1025.0);
+        let force = tug.step(
+            &mut state,
+            StepTime { t_s: 200.0 + f64::from(k), step_s: 1.0 },
+            Vec2::ZERO,
+            1025.0,
+        );
         assert!(force.force[0] < -290e3, "always astern: {:?}", force.force);
     }
     assert!((state.direction_rad - 190.0_f64.to_radians()).abs() < 1e-3);
@@ -145,7 +151,7 @@ fn an_order_beyond_the_envelope_is_limited_and_reported() {
     assert!(at_rest.limited);
     assert!((at_rest.force[1] / BP_N - 1.0).abs() < 1e-6);
     let moving = vec2(6.0 * KNOT_MPS, 0.0);
-    let under_way = tug.step(&mut state, (300.0, 1.0), moving, 1025.0);
+    let under_way = tug.step(&mut state, StepTime { t_s: 300.0, step_s: 1.0 }, moving, 1025.0);
     assert!(under_way.limited && (under_way.force[1] / BP_N - 0.49).abs() < 0.005);
     // The drag does not reduce a push from ahead against the motion: it assists the push.
     assert_eq!(SIXTY.available_n(PI, 3.0, 1025.0), BP_N);
@@ -186,7 +192,7 @@ proptest! {
         }
         let mut replay = state.clone();
         for k in 0..300 {
-            let now = (f64::from(k), 1.0);
+            let now = StepTime { t_s: f64::from(k), step_s: 1.0 };
             let force = tug.step(&mut state, now, vec2(u_mps, v_mps), 1025.0);
             prop_assert!(force.force[0].hypot(force.force[1]) <= BP_N * (1.0 + 1e-12));
             let again = tug.step(&mut replay, now, vec2(u_mps, v_mps), 1025.0);

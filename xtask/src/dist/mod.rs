@@ -36,7 +36,7 @@ pub(crate) const CHEAP: Step = Step { name: "packages for release, the cheap hal
 
 /// The whole, in order.
 const STEPS: [Step; 9] = [
-    Step { name: "tools", run: || platforms::tools().map(|_| Done::Good) },
+    Step { name: "tools", run: tools_of_all },
     Step { name: "libraries of FMUs, C libraries", run: libraries },
     Step { name: "programs", run: programs },
     Step { name: "C packages", run: c_packages },
@@ -49,6 +49,12 @@ const STEPS: [Step; 9] = [
     SUMS,
     TRIED,
 ];
+
+/// Installs the tools from PyPI, and checks the programs that other platforms need.
+fn tools_of_all() -> Result<Done, String> {
+    Platform::ALL.iter().try_for_each(Platform::has_programs)?;
+    platforms::tools().map(|_| Done::Good)
+}
 
 const SUMS: Step = Step { name: "check sums", run: sums };
 

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use super::release::{PROFILE, commit};
-use crate::command::cargo;
+use crate::command::{cargo, run_quietly};
 use crate::same_bits::add_target;
 use crate::tools;
 use crate::virtual_environment::{environment, target_folder};
@@ -94,6 +94,27 @@ impl Platform {
     /// Whether programs for the platform run on this machine without an emulator.
     pub(super) fn is_own(&self) -> bool {
         cfg!(all(target_os = "linux", target_arch = "x86_64")) && self.name == "linux-x86_64"
+    }
+
+    /// Checks that the programs which build and strip files of the platform are installed.
+    ///
+    /// # Errors
+    /// Fails with the name of the missing program and its package of Debian.
+    pub(super) fn has_programs(&self) -> Result<(), String> {
+        let programs: &[&str] = match self.triple {
+            "x86_64-pc-windows-gnu" => &["x86_64-w64-mingw32-gcc", "x86_64-w64-mingw32-dlltool"],
+            _ => &[],
+        };
+        let package = match self.triple {
+            "x86_64-pc-windows-gnu" => "gcc-mingw-w64-x86-64",
+            "aarch64-unknown-linux-gnu" => "gcc-aarch64-linux-gnu",
+            _ => "binutils",
+        };
+        for program in programs.iter().chain([&self.strip]) {
+            run_quietly(Command::new(program).arg("--version"))
+                .map_err(|_| format!("{program} is missing; install: {package} of Debian"))?;
+        }
+        Ok(())
     }
 
     /// A cargo command that links for the platform: by Zig for Linux, by mingw for Windows.

@@ -16,6 +16,7 @@ use fenderline_world::record::StepRecord;
 use fenderline_world::rigid_body::initial_state;
 use fenderline_world::setup::Setup;
 use fenderline_world::world::Environment;
+use fenderline_world::world::Vessels;
 use fenderline_world::world::passing::{FULL_FLOW_GAP, gap_in_beams, shallowest_on_track_m};
 
 /// The share of the sea's energy that may be at frequencies outside a vessel's data without a finding; we chose it. A
@@ -313,8 +314,8 @@ impl Departures {
         for one in 0..world.vessels.len() {
             for other in one + 1..world.vessels.len() {
                 let pair = [one, other];
-                let around = (&world.environment, step.t_s);
-                let gap = gap_in_beams(&world.flow, (&world.vessels, step.states), around, pair);
+                let vessels = Vessels { setups: &world.vessels, states: step.states };
+                let gap = gap_in_beams(&world.flow, vessels, &world.environment, step.t_s, pair);
                 if let Some(gap) = gap.filter(|gap| *gap < FULL_FLOW_GAP) {
                     let bodies = pair.map(|vessel| world.vessels[vessel].body);
                     let subject = Subject::Bodies(bodies);

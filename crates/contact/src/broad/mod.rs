@@ -8,6 +8,7 @@ use alloc::vec::Vec;
 
 use crate::broad::bodies::Bodies;
 use crate::broad::candidates::{Candidate, Candidates, Pairing};
+use crate::geometry::extent::Extent;
 use crate::model::Model;
 use crate::model::fender::RankedFender;
 use crate::model::pair::RankedPair;
@@ -123,11 +124,30 @@ fn push_faces(
     }
 }
 
-/// Returns true if the circle around a fender can meet the circle around the other body within this step.
+/// Returns true if the circle around a fender can meet the other body within this step: the circle around the other
+/// body, and for an outline of parts the box around a part. The circle around a coast contains all ships on the water.
 fn is_face_near(model: &Model, bodies: &Bodies, face: &RankedFender, other: u32) -> bool {
     let (host, other) = (face.host as usize, other as usize);
     let travel_m = bodies.reach_m[host] - model.ranked[host].reach_m;
     let reach_m = face.zone.radius_m() + travel_m + bodies.reach_m[other];
     let center_m = bodies.poses[host].apply(face.zone.center_m());
-    (center_m - bodies.poses[other].position_m).length_squared() <= reach_m * reach_m
+    let is_near = (center_m - bodies.poses[other].position_m).length_squared() <= reach_m * reach_m;
+    is_near
+        && !(model.ranked[other].is_of_parts && is_face_off_all_parts(model, bodies, face, other))
+}
+
+/// Returns true if no part of a coast is near the box around a fender in this step.
+#[inline(never)]
+fn is_face_off_all_parts(
+    model: &Model,
+    bodies: &Bodies,
+    face: &RankedFender,
+    coast: usize,
+) -> bool {
+    let host = face.host as usize;
+    let travel_m = |rank: usize| bodies.reach_m[rank] - model.ranked[rank].reach_m;
+    let radius_m = face.zone.radius_m() + travel_m(host) + travel_m(coast) + ROUNDING_M;
+    let center_m = bodies.poses[host].apply(face.zone.center_m());
+    let place = Extent::of_circle(bodies.poses[coast].apply_inverse(center_m), radius_m);
+    model.ranked.shapes(coast).tree.is_some_and(|tree| tree.meeting(place).next().is_none())
 }

@@ -195,7 +195,7 @@ pub(crate) fn assemble(
         let (closing_mps, area_m2) = (touch.v_normal_mps, patch.area_m2);
         let answered = answered(old, displaced, lag_s);
         let growth = Growth { area_m2, chord_m, closing_mps, answered };
-        (damper_n, damped_m2) = damper(material, &growth, (start.h, kick_s));
+        (damper_n, damped_m2) = damper(material, &growth, start.h, kick_s);
     }
     let parts = normal_force(&touch, factor, damper_n);
     let law_n = parts.total_n();

@@ -402,7 +402,7 @@ impl Constraint {
     #[inline]
     pub(crate) fn is_within_bounds(&self, speeds: Speeds, tangential_n: f64, h: f64) -> bool {
         speeds.normal_mps >= -self.rebound_mps
-            && self.has_energy_and_holds(speeds, (self.law_n, tangential_n), h)
+            && self.has_energy_and_holds(speeds, self.law_n, tangential_n, h)
     }
 
     /// Returns true if the normal force `normal_n`, and the tangential force `tangential_n` of a sticking contact, keep
@@ -412,7 +412,8 @@ impl Constraint {
     pub(crate) fn has_energy_and_holds(
         &self,
         speeds: Speeds,
-        (normal_n, tangential_n): (f64, f64),
+        normal_n: f64,
+        tangential_n: f64,
         h: f64,
     ) -> bool {
         let gives_j = -0.5 * h * normal_n * (self.normal_before_mps + speeds.normal_mps);

@@ -334,7 +334,7 @@ fn settle_below_law(constraint: &mut Constraint, speeds: Speeds, h: f64) -> Verd
         return Verdict::Corrected;
     }
     let tangential_n = constraint.shear.force_n(speeds.tangential_mps);
-    if !constraint.has_energy_and_holds(speeds, (normal_n, tangential_n), h) {
+    if !constraint.has_energy_and_holds(speeds, normal_n, tangential_n, h) {
         return Verdict::Beyond;
     }
     constraint.forces = Forces { normal_n, tangential_n, friction: Friction::Stick };

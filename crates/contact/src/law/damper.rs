@@ -37,7 +37,7 @@ pub(crate) struct Growth {
 /// For an overlap that began within the last sub-step, the damper's force is limited to its force at the present speed.
 /// Because of this limit on the damper, the force of a first touch is not larger than the speed of the touch gives. The
 /// rest of the damper's force acts in the next sub-step.
-pub(crate) fn damper(material: &Material, growth: &Growth, (h, kick_s): (f64, f64)) -> (f64, f64) {
+pub(crate) fn damper(material: &Material, growth: &Growth, h: f64, kick_s: f64) -> (f64, f64) {
     let Growth { area_m2, chord_m, closing_mps, answered } = *growth;
     let rate_m2ps = chord_m * closing_mps;
     let grown_m2 = area_m2 + 0.5 * h * rate_m2ps;
@@ -74,7 +74,7 @@ mod tests {
             for h in [0.1, 0.1, 0.02, 0.02, 0.5, 0.03] {
                 let kick_s = 0.5 * (before_s + h);
                 let growth = Growth { area_m2: t, chord_m: 2.0, closing_mps: 0.5, answered };
-                let (force_n, answered_m2) = damper(&OIL, &growth, (h, kick_s));
+                let (force_n, answered_m2) = damper(&OIL, &growth, h, kick_s);
                 impulse_ns += force_n * kick_s;
                 answered = Answered::Area(answered_m2);
                 (t, before_s) = (t + h, h);
@@ -89,7 +89,7 @@ mod tests {
         for area_m2 in [1e-6, 0.05, 0.1] {
             let answered = Answered::Nothing;
             let growth = Growth { area_m2, chord_m: 2.0, closing_mps: 0.5, answered };
-            let (force_n, _) = damper(&OIL, &growth, (0.1, 0.1));
+            let (force_n, _) = damper(&OIL, &growth, 0.1, 0.1);
             assert!(force_n <= 10.0 + 1e-12, "{force_n} N");
         }
     }

@@ -40,4 +40,5 @@ pub use state::{
     AnchorEvent, AnchorFaults, AnchorLoad, AnchorPosition, AnchorState, Hawse, LostBy, Stay,
     WindlassOrder,
 };
+pub use step::AnchorStep;
 pub use windlass::Windlass;

@@ -9,6 +9,17 @@ use super::state::{
     AnchorEvent, AnchorLoad, AnchorPosition, AnchorState, Hawse, LostBy, WindlassOrder,
 };
 
+/// What a step of an anchor needs beside the place of the hawse pipe.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AnchorStep {
+    /// Tension of the chain at the hawse pipe in the last step (N).
+    pub last_n: f64,
+    /// Density of the water (kg/m³).
+    pub water_kgpm3: f64,
+    /// Length of the step (s).
+    pub step_s: f64,
+}
+
 impl AnchorGear {
     /// Takes one step of an anchor: the windlass carries out its order for `step_s`, then chain and anchor give the
     /// force on the ship. `last_n` is the chain's tension in the last step, against which the windlass heaves. Events
@@ -20,7 +31,7 @@ impl AnchorGear {
         &self,
         state: &mut AnchorState,
         hawse: &Hawse,
-        (last_n, water_kgpm3, step_s): (f64, f64, f64),
+        AnchorStep { last_n, water_kgpm3, step_s }: AnchorStep,
         tell: &mut impl FnMut(AnchorEvent),
     ) -> AnchorLoad {
         if state.is_lost() {
@@ -51,13 +62,13 @@ impl AnchorGear {
         let of_bottom = ground.filter(|ground| state.chain_m >= ground.rise_m);
         match (of_bottom, state.position) {
             (Some(ground), AnchorPosition::OnBottom(place_m)) => {
-                self.hold(state, (place_m, hawse.at_m), &ground, &before, tell)
+                self.hold(state, place_m, hawse.at_m, &ground, &before, tell)
             }
             (Some(ground), _) => {
                 state.position = AnchorPosition::OnBottom(hawse.at_m);
                 state.dragged_m = 0.0;
                 tell(AnchorEvent::OnBottom);
-                self.hold(state, (hawse.at_m, hawse.at_m), &ground, &before, tell)
+                self.hold(state, hawse.at_m, hawse.at_m, &ground, &before, tell)
             }
             (None, was) => {
                 if matches!(was, AnchorPosition::OnBottom(_)) {
@@ -131,7 +142,8 @@ impl AnchorGear {
     fn hold(
         &self,
         state: &mut AnchorState,
-        (place_m, hawse_m): (Vec2, Vec2),
+        place_m: Vec2,
+        hawse_m: Vec2,
         ground: &Ground<'_>,
         before: &AnchorState,
         tell: &mut impl FnMut(AnchorEvent),

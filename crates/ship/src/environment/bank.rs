@@ -106,7 +106,7 @@ impl Bank {
         let distance_m = greater(across_m.abs(), half_beam_m);
         let along_mps = ship.surge_mps * cos.abs();
         let [suction_n, turning_n] =
-            norrbin(ship, water, (ship.beam_m / distance_m, share), along_mps);
+            norrbin(ship, water, ship.beam_m / distance_m, share, along_mps);
         [0.0, side * suction_n, -side * turning_n * ship.length_m]
     }
 }
@@ -119,7 +119,7 @@ impl ShipAtBank {
     pub fn between_walls(&self, per_m: [f64; 2], water: &BankWater) -> [f64; 3] {
         let of_wall = |per_m: f64| {
             let near = bounded(self.beam_m * per_m, 0.0, 2.0);
-            norrbin(self, water, (near, 1.0), self.surge_mps)
+            norrbin(self, water, near, 1.0, self.surge_mps)
         };
         let [port, starboard] = per_m.map(of_wall);
         [0.0, starboard[0] - port[0], (port[1] - starboard[1]) * self.length_m]
@@ -131,7 +131,8 @@ impl ShipAtBank {
 fn norrbin(
     ship: &ShipAtBank,
     water: &BankWater,
-    (near, share): (f64, f64),
+    near: f64,
+    share: f64,
     along_mps: f64,
 ) -> [f64; 2] {
     let ratio = water.depth_m.map_or(0.0, |depth_m| bounded(ship.draught_m / depth_m, 0.0, 1.0));

@@ -88,7 +88,7 @@ impl Squat {
     /// Panics if depth or speed is NaN.
     #[must_use]
     pub fn sinkage_m(self, ship: &Particulars, depth_m: f64, surge_mps: f64) -> f64 {
-        self.sinkage_in_m(ship, (depth_m, f64::INFINITY), surge_mps)
+        self.sinkage_in_m(ship, depth_m, f64::INFINITY, surge_mps)
     }
 
     /// Maximum sinkage of the keel (m) at a surge speed through the water (m/s), ahead or astern, in water of a depth
@@ -105,7 +105,8 @@ impl Squat {
     pub fn sinkage_in_m(
         self,
         ship: &Particulars,
-        (depth_m, section_m2): (f64, f64),
+        depth_m: f64,
+        section_m2: f64,
         surge_mps: f64,
     ) -> f64 {
         assert!(!depth_m.is_nan() && !surge_mps.is_nan(), "depth and speed are not NaN");

@@ -6,6 +6,7 @@
 //!
 //! ```
 //! use fenderline_contact::vec2;
+//! use fenderline_ship::step_time::StepTime;
 //! use fenderline_ship::tug::*;
 //! let tug = VectorTug {
 //!     name: "after tug".into(),
@@ -28,7 +29,7 @@
 //! let push = TugOrder::Push { force_n: 294e3, direction_rad: std::f64::consts::FRAC_PI_2 };
 //! tug.order(&mut state, 0.0, push)?;
 //! // Each step: the ship's velocity through the water in her own axes; the force on her.
-//! let force = tug.step(&mut state, (10.0, 0.1), vec2(1.0, 0.0), 1025.0);
+//! let force = tug.step(&mut state, StepTime { t_s: 10.0, step_s: 0.1 }, vec2(1.0, 0.0), 1025.0);
 //! assert!(force.began && force.force[1] > 0.0);
 //! # Ok::<(), fenderline_ship::range::OutOfRange>(())
 //! ```

@@ -7,6 +7,7 @@ use fenderline_contact::{Vec2, vec2};
 
 use super::envelope::TugEnvelope;
 use crate::range::{OutOfRange, within};
+use crate::step_time::StepTime;
 
 /// Share of the bollard pull: a tug changes between pushing and pulling when her force is below this share.
 const SLACK_SHARE: f64 = 0.01;
@@ -122,7 +123,7 @@ impl VectorTug {
     pub fn step(
         &self,
         state: &mut TugState,
-        (t_s, step_s): (f64, f64),
+        StepTime { t_s, step_s }: StepTime,
         water_mps: Vec2,
         water_density_kgpm3: f64,
     ) -> TugForce {

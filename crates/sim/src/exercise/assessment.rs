@@ -11,6 +11,7 @@ use super::words::seconds;
 use super::{ExerciseSetup, FULL_SCORE};
 use crate::berth::Lie;
 use crate::simulation::Simulation;
+use fenderline_ship::step_time::StepTime;
 use fenderline_world::setup::Setup;
 
 /// Whether an exercise goes on, has reached its goal or has ended by its time limit.
@@ -116,7 +117,7 @@ impl Assessment {
         for (limit, mark) in self.setup.limits.iter().zip(&mut self.marks) {
             if let Some((value, subject)) = worst_now(limit, &self.setup, simulation, lie.as_ref())
             {
-                mark.add(limit, (value, subject), (t_s, step_s));
+                mark.add(limit, value, subject, StepTime { t_s, step_s });
             }
         }
         let is_met = self.conditions.iter().all(|condition| condition.is_met);
@@ -228,7 +229,8 @@ impl Assessment {
 }
 
 impl Mark {
-    fn add(&mut self, limit: &Limit, (value, subject): (f64, Subject), (t_s, step_s): (f64, f64)) {
+    fn add(&mut self, limit: &Limit, value: f64, subject: Subject, step: StepTime) {
+        let StepTime { t_s, step_s } = step;
         let is_worse = self.worst.is_none_or(|(worst, ..)| {
             if limit.measure.is_least() { value < worst } else { value > worst }
         });

@@ -12,6 +12,7 @@ use fenderline_assess::verdict::{Finding, Verdict};
 use fenderline_ship::anchor::{AnchorFaults, AnchorState};
 use fenderline_ship::environment::current::Current;
 use fenderline_ship::environment::wind::Wind;
+use fenderline_ship::step_time::StepTime;
 use fenderline_world::berthing::BerthingError;
 use fenderline_world::dolphin::DolphinSummary;
 use fenderline_world::error::SetupError;
@@ -20,6 +21,7 @@ use fenderline_world::ledger::Bodies;
 use fenderline_world::order::{Action, LineAction, Order, OrderError, VesselAction, check_order};
 use fenderline_world::record::Energy;
 use fenderline_world::setup::{Integrator, Method, Setup};
+use fenderline_world::world::Sending;
 use fenderline_world::world::{AnchorAtWork, Assist, Faults, Job, Mooring, TugAtWork, VesselState};
 
 impl Simulation {
@@ -265,8 +267,8 @@ impl Simulation {
     /// # Errors
     /// Returns the reason why the order cannot be carried out.
     pub fn check_now(&self, action: &Action) -> Result<(), OrderError> {
-        let times_s = (self.time_s(), self.setup.step_s);
-        let lines = self.world.lines_after_orders(&self.setup.world, times_s);
+        let step = StepTime { t_s: self.time_s(), step_s: self.setup.step_s };
+        let lines = self.world.lines_after_orders(&self.setup.world, step);
         let of_line = |line: usize, is_let_go: bool| {
             let Some(own) = lines.get(line) else { return Ok(()) };
             let line = self.setup.world.lines[line].line.name.clone();
@@ -283,7 +285,7 @@ impl Simulation {
         };
         match action {
             Action::Anchor(anchor, action) if *anchor < self.world.anchors.len() => {
-                let own = self.world.anchor_after_orders(&self.setup.world, *anchor, times_s);
+                let own = self.world.anchor_after_orders(&self.setup.world, *anchor, step);
                 own.may(&self.setup.world.anchors[*anchor], *action)
             }
             Action::Line(line, LineAction::Winch(_)) => of_line(*line, false),
@@ -293,7 +295,7 @@ impl Simulation {
                 &self.setup.world,
                 &self.states,
                 self.time_s(),
-                (*line, *bollard),
+                Sending { line: *line, bollard: *bollard },
             ),
             Action::Vessel(_, VesselAction::Assist(Assist { job: Job::Pull { line, .. }, .. })) => {
                 of_line(*line, false)

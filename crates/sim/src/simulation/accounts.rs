@@ -15,9 +15,9 @@ impl Simulation {
     pub(super) fn account_energy(&mut self) {
         self.find_mean_velocities();
         self.account_contacts();
-        let plain = (self.buffers.mean.as_slice(), self.buffers.plain_loads.as_slice());
+        let (mean, plain) = (&self.buffers.mean, &self.buffers.plain_loads);
         let (order, step_s) = (&self.world.order.bodies, self.setup.step_s);
-        let other_j = plain_work_j(order, &self.inertias, plain, step_s);
+        let other_j = plain_work_j(order, &self.inertias, mean, plain, step_s);
         let works = LoadWork { other_j, ..self.works_of_world() };
         self.ledger.add(&works, &self.contact_totals, &self.dolphins.motions);
     }

@@ -77,7 +77,7 @@ fn walls(values: &mut Values) {
         let field = DepthField::new(vec2(corner_m, corner_m), CELL_M, SIDE, SIDE, depths_m);
         let field = Arc::new(field.expect("a good field"));
         let bottom = Bottom { field, outside: Outside::Depth(12.0), banks: None };
-        let walls = Walls::beside(&hull, &state, (&bottom, 0.0, 12.0));
+        let walls = Walls::beside(&hull, &state, &bottom, 0.0, 12.0);
         values.put(format!("bank/walls/{name}/per_m"), 1e3 * walls.per_m[1], "1/km");
         values.put(format!("bank/walls/{name}/per_m2"), 1e6 * walls.per_m2[1], "1/km²");
     }

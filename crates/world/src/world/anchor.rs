@@ -9,9 +9,11 @@ use super::shore::Shore;
 use crate::order::{AnchorAction, OrderError};
 use crate::setup::body::BodySetup;
 use fenderline_ship::anchor::{
-    AnchorError, AnchorGear, AnchorLoad, AnchorPosition, AnchorState, Hawse, LostBy, WindlassOrder,
+    AnchorError, AnchorGear, AnchorLoad, AnchorPosition, AnchorState, AnchorStep, Hawse, LostBy,
+    WindlassOrder,
 };
 use fenderline_ship::range::within;
+use fenderline_ship::step_time::StepTime;
 
 /// An anchor of a set-up.
 #[derive(Clone, Debug, PartialEq)]
@@ -104,6 +106,21 @@ impl AnchorSetup {
     }
 }
 
+/// A ship with her anchor in a step.
+#[derive(Clone, Copy, Debug)]
+pub struct AnchoredShip<'a> {
+    /// Index of the ship's body.
+    pub body: usize,
+    /// The states of all bodies.
+    pub states: &'a [BodyState],
+    /// Which bodies stand on the ground, and the level of the water.
+    pub shore: Shore<'a>,
+    /// The water.
+    pub environment: &'a Environment,
+    /// The mean depth under the ship (m); `None` in deep water.
+    pub under_m: Option<f64>,
+}
+
 impl AnchorAtWork {
     /// An anchor with this state and these forces, whose chain has not yet pulled.
     #[must_use]
@@ -177,13 +194,13 @@ impl AnchorAtWork {
     }
 
     /// Does one step: moves windlass and anchor, and adds the pull of the chain to the load of the ship. The bottom is
-    /// at the depth under the hawse pipe or, if no depth is known there, at the mean depth under the ship (`under_m`).
+    /// at the depth under the hawse pipe or, if no depth is known there, at [`AnchoredShip::under_m`].
     pub fn step(
         &mut self,
         index: usize,
-        (of, body): (&AnchorSetup, usize),
-        (states, shore): (&[BodyState], Shore<'_>),
-        ((environment, under_m), t_s, step_s): ((&Environment, Option<f64>), f64, f64),
+        of: &AnchorSetup,
+        AnchoredShip { body, states, shore, environment, under_m }: AnchoredShip<'_>,
+        StepTime { t_s, step_s }: StepTime,
         loads: &mut [Wrench],
         events: &mut Vec<WorldEvent>,
     ) {
@@ -192,7 +209,11 @@ impl AnchorAtWork {
         let depth_m = environment.depth_at_m(at_m, t_s).unwrap_or(under_m);
         let above_bottom_m = depth_m.map(|depth_m| depth_m + above_water_m);
         let hawse = Hawse { at_m, above_bottom_m };
-        let given = (self.load.tension_n, environment.water_density_kgpm3, step_s);
+        let given = AnchorStep {
+            last_n: self.load.tension_n,
+            water_kgpm3: environment.water_density_kgpm3,
+            step_s,
+        };
         self.load = of.gear.step(&mut self.state, &hawse, given, &mut |event| {
             events.push(WorldEvent { who: index, kind: WorldEventKind::Anchor(event) });
         });

@@ -5,18 +5,13 @@ use fenderline_contact::{BodyState, Vec2, vec2};
 use fenderline_ship::control::Task;
 
 use super::assist::{AssistPilot, Job, PushJob};
-use super::line::{Mooring, MooringSetup};
+use super::line::{MooringLines, MooringSetup};
 use super::line_end::LineEnd;
 
 impl AssistPilot {
     /// What the pilot of the tug must do in a step: follow a place, push or pull, with the present positions and
     /// velocities.
-    pub fn task(
-        &self,
-        own: usize,
-        states: &[BodyState],
-        lines: (&[MooringSetup], &[Mooring]),
-    ) -> Task {
+    pub fn task(&self, own: usize, states: &[BodyState], lines: MooringLines<'_>) -> Task {
         let velocity_at = |body: usize, at_m: Vec2| {
             let state = &states[body];
             let arm_m = state.pose().rotation.apply(at_m);
@@ -37,12 +32,13 @@ impl AssistPilot {
                 contact_n: self.contact_n,
             },
             Job::Pull { line, direction_rad, force_n } => {
-                let setup = &lines.0[line];
+                let setup = &lines.setups[line];
                 let [(ship, at_m), (_, own_at_m)] = ends_for(setup, own);
                 let direction = vec2(libm::cos(direction_rad), libm::sin(direction_rad));
                 let place_m = states[ship].pose().apply(at_m);
                 let span_m = (states[own].pose().apply(own_at_m) - place_m).length();
-                let length_m = lines.1[line].line.as_ref().map_or(0.0, |(_, state)| state.length_m);
+                let length_m =
+                    lines.now[line].line.as_ref().map_or(0.0, |(_, state)| state.length_m);
                 Task::Pull {
                     place_m,
                     velocity_mps: velocity_at(ship, at_m),
@@ -50,7 +46,7 @@ impl AssistPilot {
                     over_bow: own_at_m.x >= 0.0,
                     slack_m: greater(length_m - span_m, 0.0),
                     force_n,
-                    tension_n: lines.1[line].load.tension_n,
+                    tension_n: lines.now[line].load.tension_n,
                 }
             }
         }

@@ -5,7 +5,7 @@ use fenderline_contact::{BodyState, Rotation, Vec2, vec2};
 
 use super::abilities::Abilities;
 use super::azimuth::{AzimuthOrder, AzimuthSetup};
-use super::line::{Mooring, MooringSetup};
+use super::line::MooringLines;
 use super::vessel::{VesselForces, VesselSetup, VesselState};
 use fenderline_ship::control::{
     AssistDemand, Demand, Handling, LateralDevice, Reach, Sway, Task, ThrustDevice, ThrustShares,
@@ -22,6 +22,14 @@ const IDLE: f64 = 0.01;
 pub(super) struct Stream {
     pub(super) velocity: Velocity,
     pub(super) water: Water,
+}
+
+/// A vessel that a pilot steers, her abilities, and her velocity through the water.
+#[derive(Clone, Copy)]
+pub(super) struct Steered<'a> {
+    pub(super) setup: &'a VesselSetup,
+    pub(super) abilities: &'a Abilities,
+    pub(super) stream: &'a Stream,
 }
 
 /// The greatest force of all units together on each axis.
@@ -47,7 +55,7 @@ fn disturbance(setup: &VesselSetup, forces: &VesselForces) -> Demand {
 pub(super) fn under_way(
     vessel: &mut VesselState,
     shares: &mut ThrustShares,
-    (setup, abilities, stream): (&VesselSetup, &Abilities, &Stream),
+    Steered { setup, abilities, stream }: Steered<'_>,
     forces: &VesselForces,
     state: &BodyState,
     step_s: f64,
@@ -81,10 +89,10 @@ pub(super) fn under_way(
 pub(super) fn assist(
     vessel: &mut VesselState,
     shares: &mut ThrustShares,
-    (setup, abilities, stream): (&VesselSetup, &Abilities, &Stream),
+    Steered { setup, abilities, stream }: Steered<'_>,
     forces: &VesselForces,
     states: &[BodyState],
-    lines: (&[MooringSetup], &[Mooring]),
+    lines: MooringLines<'_>,
     step_s: f64,
 ) {
     let Some(pilot) = &mut vessel.pilots.assist else { return };
@@ -126,7 +134,7 @@ pub(super) fn assist(
 pub(super) fn share_with_azimuths(
     vessel: &mut VesselState,
     shares: &mut ThrustShares,
-    (setup, abilities, stream): (&VesselSetup, &Abilities, &Stream),
+    Steered { setup, abilities, stream }: Steered<'_>,
     demand: &Demand,
     across: &[LateralDevice],
     across_n: &mut [f64],

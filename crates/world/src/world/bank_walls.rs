@@ -47,7 +47,9 @@ impl Walls {
     pub fn beside(
         hull: &Particulars,
         state: &BodyState,
-        (bottom, level_m, depth_m): (&Bottom, f64, f64),
+        bottom: &Bottom,
+        level_m: f64,
+        depth_m: f64,
     ) -> Walls {
         let mut walls = Walls::default();
         let [least_m, _] = bottom.range_m();

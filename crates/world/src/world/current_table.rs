@@ -92,7 +92,8 @@ impl CurrentTable {
     /// alone.
     pub fn hull(
         &self,
-        (model, hull): (&Mmg, Force),
+        model: &Mmg,
+        hull: Force,
         velocity: &Velocity,
         water: Water,
         depth_ratio: Option<f64>,

@@ -15,6 +15,7 @@ use fenderline_ship::environment::{
 };
 use fenderline_ship::hydro::{self, Squat};
 use fenderline_ship::range::within;
+use fenderline_ship::step_time::StepTime;
 
 /// A place at which no depth is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -102,12 +103,7 @@ impl Bottom {
     /// to a heading (a unit vector). Each side ends at `half_width_m`, or before that where the bottom is dry or has no
     /// data.
     #[must_use]
-    pub fn section_m2(
-        &self,
-        (place_m, ahead): (Vec2, Vec2),
-        level_m: f64,
-        half_width_m: f64,
-    ) -> f64 {
+    pub fn section_m2(&self, place_m: Vec2, ahead: Vec2, level_m: f64, half_width_m: f64) -> f64 {
         let wet_m = |at_m: Vec2| self.depth_m(at_m).map_or(0.0, |depth_m| depth_m + level_m);
         let middle_m = wet_m(place_m);
         let strip_m = half_width_m / f64::from(STRIPS);
@@ -279,7 +275,7 @@ impl Environment {
     pub fn water_acceleration(
         &self,
         position_m: Vec2,
-        (t_s, step_s): (f64, f64),
+        StepTime { t_s, step_s }: StepTime,
         draught_m: f64,
     ) -> Vec2 {
         let now = self.current(position_m, t_s, draught_m);

@@ -277,7 +277,9 @@ impl VesselSetup {
     pub(super) fn on_slope(
         &self,
         state: &BodyState,
-        (environment, squat_m, t_s): (&Environment, f64, f64),
+        environment: &Environment,
+        squat_m: f64,
+        t_s: f64,
         step: &Step,
     ) -> Force {
         let Some(bottom) = &environment.bottom else { return Force::default() };

@@ -13,6 +13,7 @@ use crate::setup::body::BodySetup;
 use fenderline_ship::mooring::{
     InboardEnd, InitialLength, Line, LineEnds, LineLoad, LineSetup, LineState, WinchOrder,
 };
+use fenderline_ship::step_time::StepTime;
 
 /// Slack that a line on a winch gets when line handlers make it fast at a bollard: a share of the distance, plus a
 /// length (m).
@@ -70,6 +71,29 @@ pub struct Sent {
     pub since_s: f64,
     /// Time at which the line will be fast (s); `None` while the line waits for line handlers.
     pub fast_at_s: Option<f64>,
+}
+
+/// The mooring lines of a set-up, with their present states.
+#[derive(Clone, Copy, Debug)]
+pub struct MooringLines<'a> {
+    /// The set-ups of the lines.
+    pub setups: &'a [MooringSetup],
+    /// The lines now.
+    pub now: &'a [Mooring],
+}
+
+/// The bodies and bollards at the ends of mooring lines in a step.
+#[derive(Clone, Copy, Debug)]
+pub struct LineWorld<'a> {
+    /// The bollards of the set-up.
+    pub bollards: &'a [BollardSetup],
+    /// The states of all bodies at the start of the step.
+    pub states: &'a [BodyState],
+    /// The states of all bodies with which the lines pull. The states of bodies with hydrodynamic data are later than
+    /// the start of the step.
+    pub met: &'a [BodyState],
+    /// Which bodies stand on the ground, and the level of the water.
+    pub shore: Shore<'a>,
 }
 
 impl Mooring {
@@ -144,13 +168,13 @@ impl Mooring {
     }
 
     /// Makes the line fast at its time, moves the winch, and adds the line's forces to the bodies at both ends. The
-    /// line pulls between the places of the bodies in `met`, which may be later than the bodies' states.
+    /// line pulls between the places of the bodies in [`LineWorld::met`].
     pub fn step(
         &mut self,
         index: usize,
-        (setup, bollards): (&MooringSetup, &[BollardSetup]),
-        (states, met, shore): (&[BodyState], &[BodyState], Shore<'_>),
-        (t_s, step_s): (f64, f64),
+        setup: &MooringSetup,
+        LineWorld { bollards, states, met, shore }: LineWorld<'_>,
+        StepTime { t_s, step_s }: StepTime,
         loads: &mut [Wrench],
         events: &mut Vec<WorldEvent>,
     ) {

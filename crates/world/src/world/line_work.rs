@@ -10,6 +10,15 @@ use super::setup::WorldSetup;
 use super::shore::Shore;
 use crate::order::{Action, LineAction, Order, OrderError};
 
+/// An order to send a line to a bollard.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sending {
+    /// Index of the line in the set-up.
+    pub line: usize,
+    /// Index of the bollard in the set-up.
+    pub bollard: usize,
+}
+
 /// The lines as they will be after the orders. If none of the orders is to a line, the result is the present lines.
 pub(super) fn after_orders<'l, 'o>(
     lines: &'l [Mooring],
@@ -41,9 +50,9 @@ pub(super) fn after_orders<'l, 'o>(
 pub(super) fn may_send(
     lines: &[Mooring],
     setup: &WorldSetup,
-    here: (&[BodyState], Shore<'_>),
-    line: usize,
-    to: usize,
+    states: &[BodyState],
+    shore: Shore<'_>,
+    Sending { line, bollard: to }: Sending,
 ) -> Result<(), OrderError> {
     let (own, of, bollard) = (&lines[line], &setup.lines[line], &setup.bollards[to]);
     let name = || of.line.name.clone();
@@ -61,7 +70,7 @@ pub(super) fn may_send(
         let (bollard, most_lines) = (bollard.name.clone(), bollard.most_lines);
         return Err(OrderError::BollardTaken { bollard, most_lines });
     }
-    let distance_m = distance_m(of, setup, here, to);
+    let distance_m = distance_m(of, setup, states, shore, to);
     let handling = &setup.line_handling;
     let out_of_reach = |reach_m: f64, by: &'static str| {
         let bollard = bollard.name.clone();
@@ -81,7 +90,8 @@ pub(super) fn may_send(
 pub(super) fn take_lines(
     lines: &mut [Mooring],
     setup: &WorldSetup,
-    here: (&[BodyState], Shore<'_>),
+    states: &[BodyState],
+    shore: Shore<'_>,
     t_s: f64,
 ) {
     if lines.iter().all(|line| !line.waits_for_handlers(t_s)) {
@@ -97,7 +107,7 @@ pub(super) fn take_lines(
         let next = waiting.min_by(|one, other| since_s(one.1).total_cmp(&since_s(other.1)));
         let Some((index, own)) = next else { return };
         let (Some(mut sent), Some(to)) = (own.sent, own.bollard) else { return };
-        let distance_m = distance_m(&setup.lines[index], setup, here, to);
+        let distance_m = distance_m(&setup.lines[index], setup, states, shore, to);
         let handling = &setup.line_handling;
         sent.fast_at_s = Some(t_s + handling.time_s(distance_m).unwrap_or(handling.heaving_line_s));
         lines[index].sent = Some(sent);
@@ -109,7 +119,8 @@ pub(super) fn take_lines(
 fn distance_m(
     line: &MooringSetup,
     setup: &WorldSetup,
-    (states, shore): (&[BodyState], Shore<'_>),
+    states: &[BodyState],
+    shore: Shore<'_>,
     to: usize,
 ) -> f64 {
     line.ends(setup.bollards[to].end(), states, shore).distance_m()

@@ -6,7 +6,7 @@ use fenderline_contact::{BodyState, Rotation};
 
 use super::abilities::Abilities;
 use super::assist::AssistPilot;
-use super::azimuth_pilot::{Stream, largest_of_azimuths, share_with_azimuths};
+use super::azimuth_pilot::{Steered, largest_of_azimuths, share_with_azimuths};
 use super::pilots::Pilots;
 use super::vessel::{VesselSetup, VesselState};
 use crate::order::{Station, VesselAction};
@@ -117,12 +117,12 @@ pub(super) struct PilotWork {
 /// function writes the forces of these devices to `helpers_n` of `work`.
 pub(super) fn pilot(
     vessel: &mut VesselState,
-    setup: &VesselSetup,
-    abilities: &Abilities,
-    (state, water): (&BodyState, &Stream),
+    steered: Steered<'_>,
+    state: &BodyState,
     work: &mut PilotWork,
     step_s: f64,
 ) {
+    let Steered { setup, abilities, .. } = steered;
     let PilotWork { helpers, helpers_n, across: devices, across_n: forces_n, shares } = work;
     helpers_n.clear();
     if !setup.steers_with_azimuths() {
@@ -155,8 +155,7 @@ pub(super) fn pilot(
         vessel.orders.shaft = abilities.revolutions(demand.surge_n);
         allocate(devices, demand.sway_n, demand.yaw_nm, forces_n);
     } else {
-        let ships = (setup, abilities, water);
-        let engine_n = share_with_azimuths(vessel, shares, ships, &demand, devices, forces_n);
+        let engine_n = share_with_azimuths(vessel, shares, steered, &demand, devices, forces_n);
         vessel.orders.shaft = abilities.revolutions(engine_n);
     }
     let own = setup.thrusters.len();

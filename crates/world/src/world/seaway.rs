@@ -21,6 +21,16 @@ pub(super) struct Seaway {
     waves: Option<Arc<WaveForces>>,
 }
 
+/// The times of a step of a vessel with hydrodynamic data.
+#[derive(Clone, Copy)]
+pub(super) struct SeawayTimes {
+    /// Start of the step (s).
+    pub(super) t_s: f64,
+    /// The time for which the loads of the step act (s).
+    pub(super) acts_s: f64,
+    pub(super) sub_steps: SubSteps,
+}
+
 impl Seaway {
     /// The constant data of a vessel; `None` for a vessel without hydrodynamic data.
     pub(super) fn new(
@@ -71,8 +81,9 @@ impl Seaway {
         &self,
         own: (&VesselSetup, &mut VesselState, &mut VesselForces),
         body: &BodyState,
-        (given, stream_mps): (&Given<'_>, Vec2),
-        (t_s, acts_s, sub_steps): (f64, f64, SubSteps),
+        given: &Given<'_>,
+        stream_mps: Vec2,
+        SeawayTimes { t_s, acts_s, sub_steps }: SeawayTimes,
     ) -> Wrench {
         let (vessel, vessel_state, forces) = own;
         let attitude = vessel_state.attitude;

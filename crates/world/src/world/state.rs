@@ -8,16 +8,17 @@ use fenderline_contact::{BodyState, Contact, Rotation, Wrench, vec2};
 
 use super::abilities::Abilities;
 use super::afloat::{Afloat, Lever};
-use super::anchor::AnchorAtWork;
-use super::azimuth_pilot::{self, Stream};
+use super::anchor::{AnchorAtWork, AnchoredShip};
+use super::azimuth_pilot::{self, Steered, Stream};
 use super::environment::NoDepth;
 use super::event::{WorldEvent, WorldEventKind};
 use super::grounding;
-use super::line::Mooring;
-use super::line_work;
+use super::inputs::{Moving, MovingBodies, StepTimes, Surroundings, Vessels};
+use super::line::{LineWorld, Mooring, MooringLines};
+use super::line_work::{self, Sending};
 use super::passing;
 use super::pilot::{self, PilotWork};
-use super::seaway::{Given, Seaway};
+use super::seaway::{Given, Seaway, SeawayTimes};
 use super::setup::WorldSetup;
 use super::shore::Shore;
 use super::soundings::Soundings;
@@ -33,6 +34,7 @@ use fenderline_ship::anchor::AnchorEvent;
 use fenderline_ship::attitude::AttitudeLoad;
 use fenderline_ship::environment::wind::{ShipGusts, Wind};
 use fenderline_ship::hydro::Force;
+use fenderline_ship::step_time::StepTime;
 
 /// The variable state of vessels, tugs, lines and anchors: plain data, and values that each step calculates anew.
 #[derive(Clone, Debug)]
@@ -90,7 +92,8 @@ impl World {
         setup: &WorldSetup,
         bodies: &[BodySetup],
         states: &[BodyState],
-        (motions, step_s): (&[Option<Arc<Motion>>], f64),
+        motions: &[Option<Arc<Motion>>],
+        step_s: f64,
     ) -> World {
         let water = setup.environment.density();
         let seaways: Vec<Option<Seaway>> = setup
@@ -192,112 +195,195 @@ impl World {
         Ok(())
     }
 
-    /// Adds the forces on each vessel in the step from `states` to the load of the vessel's body. The velocities belong
-    /// to `velocity_time_s`. The velocities of the water are taken at the same time; otherwise a ship that drifts with
-    /// the water would have a drag, because of the difference of the two times. [`World::sound`] must have been called
-    /// for `t_s`.
+    /// Adds the forces of vessels, tugs, lines and anchors in the step that begins at the states of `bodies` to the loads
+    /// of the bodies. The velocities belong to the time `velocity_t_s`. The velocities of the water are taken at the same
+    /// time; otherwise a ship that drifts with the water would have a drag, because of the difference of the two times.
+    /// [`World::sound`] must have been called for the start of the step.
     pub fn step(
         &mut self,
         setup: &WorldSetup,
-        (states, lags_s): (&[BodyState], &[f64]),
-        (t_s, velocity_time_s, step_s, acts_s): (f64, f64, f64, f64),
+        bodies: MovingBodies<'_>,
+        times: StepTimes,
         loads: &mut [Wrench],
     ) {
         self.events.clear();
-        self.take_orders(setup, states, t_s, step_s);
+        self.take_orders(setup, bodies.states, times.step());
         if setup.vessels.is_empty() && setup.lines.is_empty() {
             return; // tugs and anchors are of vessels
         }
-        let vessels = (setup.vessels.as_slice(), states);
-        let water = (&setup.environment, self.soundings.as_slice());
-        passing::act(&setup.flow, vessels, water, t_s, &mut self.passing);
-        passing::act_of_banks(&setup.flow, vessels, water, t_s, &mut self.banks);
-        for (index, vessel) in setup.vessels.iter().enumerate() {
-            let (state, own) = (&states[vessel.body], &mut self.vessels[index]);
-            let abilities = &self.abilities[index];
-            let serves = |tug: &&usize| setup.tugs[**tug].vessel == index;
-            let work = &mut self.pilots;
-            let helpers = self.order.tugs.iter().filter(serves);
-            work.helpers.clear();
-            work.helpers.extend(helpers.map(|&tug| setup.tugs[tug].device(vessel)));
-            let stream = Stream {
-                velocity: vessel.velocity(state, &setup.environment, velocity_time_s),
-                water: setup.environment.density(),
-            };
-            let here = (state, &stream);
-            pilot::pilot(own, vessel, abilities, here, work, step_s);
-            let (of, last) = ((vessel, abilities, &stream), &self.forces[index]);
-            azimuth_pilot::under_way(own, &mut work.shares, of, last, state, step_s);
-            let lines = (&*setup.lines, &*self.lines);
-            azimuth_pilot::assist(own, &mut work.shares, of, last, states, lines, step_s);
-            let tugs = self.order.tugs.iter().filter(serves);
-            for (&tug, &starboard_n) in tugs.zip(&work.helpers_n) {
-                self.tugs[tug].push_or_pull(&setup.tugs[tug], t_s, starboard_n);
-            }
-            let clamped = own.act(step_s);
-            if clamped && !self.clamped[index] {
-                self.events.push(WorldEvent { who: index, kind: WorldEventKind::OrderClamped });
-            }
-            self.clamped[index] = clamped;
-            let soundings = &self.soundings[index];
-            own.squat_m = vessel.squat_m(state, (&setup.environment, soundings), t_s);
-            own.under_keel_m = vessel.under_keel_m(own.squat_m, soundings);
-            let held = vessel.is_held(soundings);
-            if held && !own.held {
-                self.events.push(WorldEvent { who: index, kind: WorldEventKind::ShallowHeld });
-            }
-            own.held = held;
-            let aground = VesselSetup::is_aground(own);
-            if aground && !own.aground {
-                self.events.push(WorldEvent { who: index, kind: WorldEventKind::Aground });
-            }
-            own.aground = aground;
-            let (times, here) = ((t_s, velocity_time_s, step_s), (state, &stream.velocity));
-            let around = (&setup.environment, self.gusts[index].as_ref(), soundings);
-            let mut forces = vessel.forces(own, here, around, times);
-            forces.passing = self.passing[index];
-            forces.banks = forces.banks + self.banks[index];
-            let water_inertia = vessel.water_inertia(
-                here,
-                &setup.environment,
-                &self.masses[index],
-                (velocity_time_s, step_s),
-            );
-            let wrench = vessel.wrench(&forces, &water_inertia, state);
-            loads[vessel.body].force_n += wrench.force_n;
-            loads[vessel.body].moment_nm += wrench.moment_nm;
-            (self.forces[index], self.water_inertia[index]) = (forces, water_inertia);
+        self.load_flow(setup, bodies.states, times.t_s);
+        for index in 0..setup.vessels.len() {
+            let stream = self.steer(setup, index, bodies.states, times);
+            self.sink(setup, index, bodies.states, times.t_s);
+            self.load_vessel(setup, index, bodies.states, &stream, times, loads);
         }
+        self.load_tugs(setup, bodies.states, times.step(), loads);
+        self.find_afloat(setup, bodies.states.len());
+        self.look_ahead(setup, bodies, times.step_s);
+        self.load_lines(setup, bodies.states, times.step(), loads);
+        self.load_anchors(setup, bodies.states, times.step(), loads);
+        self.press_on_bottom(setup, bodies, times, loads);
+        self.load_seaways(setup, bodies, times, loads);
+    }
+
+    /// Computes the forces of passing ships, of other vessels and of banks by images on each vessel.
+    fn load_flow(&mut self, setup: &WorldSetup, states: &[BodyState], t_s: f64) {
+        let vessels = Vessels { setups: &setup.vessels, states };
+        let (environment, soundings) = (&setup.environment, self.soundings.as_slice());
+        passing::act(&setup.flow, vessels, environment, soundings, t_s, &mut self.passing);
+        passing::act_of_banks(&setup.flow, vessels, environment, soundings, t_s, &mut self.banks);
+    }
+
+    /// Lets the pilots of a vessel set their orders, and moves rudder, shaft, thrusters and azimuth units. Returns the
+    /// velocity of the vessel through the water.
+    fn steer(
+        &mut self,
+        setup: &WorldSetup,
+        index: usize,
+        states: &[BodyState],
+        times: StepTimes,
+    ) -> Stream {
+        let vessel = &setup.vessels[index];
+        let (state, own) = (&states[vessel.body], &mut self.vessels[index]);
+        let abilities = &self.abilities[index];
+        let serves = |tug: &&usize| setup.tugs[**tug].vessel == index;
+        let work = &mut self.pilots;
+        let helpers = self.order.tugs.iter().filter(serves);
+        work.helpers.clear();
+        work.helpers.extend(helpers.map(|&tug| setup.tugs[tug].device(vessel)));
+        let stream = Stream {
+            velocity: vessel.velocity(state, &setup.environment, times.velocity_t_s),
+            water: setup.environment.density(),
+        };
+        let steered = Steered { setup: vessel, abilities, stream: &stream };
+        pilot::pilot(own, steered, state, work, times.step_s);
+        let last = &self.forces[index];
+        azimuth_pilot::under_way(own, &mut work.shares, steered, last, state, times.step_s);
+        let lines = MooringLines { setups: &setup.lines, now: &self.lines };
+        azimuth_pilot::assist(own, &mut work.shares, steered, last, states, lines, times.step_s);
+        let tugs = self.order.tugs.iter().filter(serves);
+        for (&tug, &starboard_n) in tugs.zip(&work.helpers_n) {
+            self.tugs[tug].push_or_pull(&setup.tugs[tug], times.t_s, starboard_n);
+        }
+        let clamped = own.act(times.step_s);
+        if clamped && !self.clamped[index] {
+            self.events.push(WorldEvent { who: index, kind: WorldEventKind::OrderClamped });
+        }
+        self.clamped[index] = clamped;
+        stream
+    }
+
+    /// Finds squat and under-keel clearance of a vessel, and whether she is aground.
+    fn sink(&mut self, setup: &WorldSetup, index: usize, states: &[BodyState], t_s: f64) {
+        let (vessel, own) = (&setup.vessels[index], &mut self.vessels[index]);
+        let soundings = &self.soundings[index];
+        own.squat_m = vessel.squat_m(&states[vessel.body], &setup.environment, soundings, t_s);
+        own.under_keel_m = vessel.under_keel_m(own.squat_m, soundings);
+        let held = vessel.is_held(soundings);
+        if held && !own.held {
+            self.events.push(WorldEvent { who: index, kind: WorldEventKind::ShallowHeld });
+        }
+        own.held = held;
+        let aground = VesselSetup::is_aground(own);
+        if aground && !own.aground {
+            self.events.push(WorldEvent { who: index, kind: WorldEventKind::Aground });
+        }
+        own.aground = aground;
+    }
+
+    /// Adds a vessel's forces of hull, propulsion, wind, waves, banks and passing ships to the load of her body.
+    fn load_vessel(
+        &mut self,
+        setup: &WorldSetup,
+        index: usize,
+        states: &[BodyState],
+        stream: &Stream,
+        times: StepTimes,
+        loads: &mut [Wrench],
+    ) {
+        let (vessel, own) = (&setup.vessels[index], &mut self.vessels[index]);
+        let state = &states[vessel.body];
+        let moving = Moving { state, velocity: &stream.velocity };
+        let around = Surroundings {
+            environment: &setup.environment,
+            gusts: self.gusts[index].as_ref(),
+            soundings: &self.soundings[index],
+        };
+        let mut forces = vessel.forces(own, moving, around, times);
+        forces.passing = self.passing[index];
+        forces.banks = forces.banks + self.banks[index];
+        let step = StepTime { t_s: times.velocity_t_s, step_s: times.step_s };
+        let water_inertia =
+            vessel.water_inertia(moving, &setup.environment, &self.masses[index], step);
+        let wrench = vessel.wrench(&forces, &water_inertia, state);
+        loads[vessel.body].force_n += wrench.force_n;
+        loads[vessel.body].moment_nm += wrench.moment_nm;
+        (self.forces[index], self.water_inertia[index]) = (forces, water_inertia);
+    }
+
+    /// Adds the forces of the vector tugs to the loads of the vessels' bodies.
+    fn load_tugs(
+        &mut self,
+        setup: &WorldSetup,
+        states: &[BodyState],
+        step: StepTime,
+        loads: &mut [Wrench],
+    ) {
         for &index in &self.order.tugs {
-            let (tug, of) = (&mut self.tugs[index], &setup.tugs[index]);
-            let vessel = &setup.vessels[of.vessel];
-            let (state, times) = (&states[vessel.body], (t_s, step_s));
-            let events = &mut self.events;
-            let wrench = tug.step(index, (of, vessel), state, &setup.environment, times, events);
+            let tug = &setup.tugs[index];
+            let vessel = &setup.vessels[tug.vessel];
+            let (state, ship) = (&states[vessel.body], &vessel.ship.particulars);
+            let now = &mut self.tugs[index];
+            let was_limited = now.limited;
+            let wrench = now.step(tug, ship, state, &setup.environment, step);
+            if now.limited && !was_limited {
+                self.events.push(WorldEvent { who: index, kind: WorldEventKind::TugLimited });
+            }
             loads[vessel.body].force_n += wrench.force_n;
             loads[vessel.body].moment_nm += wrench.moment_nm;
         }
-        self.find_afloat(setup, states.len());
-        self.look_ahead(setup, (states, lags_s), step_s);
-        let level_m = setup.environment.level_m(t_s);
+    }
+
+    /// Adds the forces of the mooring lines to the loads of the bodies at both ends.
+    fn load_lines(
+        &mut self,
+        setup: &WorldSetup,
+        states: &[BodyState],
+        step: StepTime,
+        loads: &mut [Wrench],
+    ) {
+        let level_m = setup.environment.level_m(step.t_s);
         let shore = Shore { fixed: &self.fixed, level_m, afloat: &self.afloat };
         let met = if self.ahead.is_empty() { states } else { self.ahead.as_slice() };
-        line_work::take_lines(&mut self.lines, setup, (met, shore), t_s);
+        line_work::take_lines(&mut self.lines, setup, met, shore, step.t_s);
+        let ends = LineWorld { bollards: &setup.bollards, states, met, shore };
         for &index in &self.order.lines {
             let (mooring, line) = (&mut self.lines[index], &setup.lines[index]);
-            let (times, events) = ((t_s, step_s), &mut self.events);
-            let of = (line, setup.bollards.as_slice());
-            mooring.step(index, of, (states, met, shore), times, loads, events);
+            mooring.step(index, line, ends, step, loads, &mut self.events);
         }
+    }
+
+    /// Adds the pulls of the anchors' chains to the loads of the ships.
+    fn load_anchors(
+        &mut self,
+        setup: &WorldSetup,
+        states: &[BodyState],
+        step: StepTime,
+        loads: &mut [Wrench],
+    ) {
+        let level_m = setup.environment.level_m(step.t_s);
+        let shore = Shore { fixed: &self.fixed, level_m, afloat: &self.afloat };
         for &index in &self.order.anchors {
-            let (own, of) = (&mut self.anchors[index], &setup.anchors[index]);
-            let under_m = self.soundings[of.vessel].mean_m;
-            let water = ((&setup.environment, under_m), t_s, step_s);
-            let body = setup.vessels[of.vessel].body;
-            own.step(index, (of, body), (states, shore), water, loads, &mut self.events);
+            let anchor = &setup.anchors[index];
+            let ship = AnchoredShip {
+                body: setup.vessels[anchor.vessel].body,
+                states,
+                shore,
+                environment: &setup.environment,
+                under_m: self.soundings[anchor.vessel].mean_m,
+            };
+            self.anchors[index].step(index, anchor, ship, step, loads, &mut self.events);
         }
-        self.press_on_bottom(setup, (states, lags_s), (t_s, acts_s), loads);
-        self.load_seaways(setup, (states, lags_s), (t_s, step_s, acts_s), loads);
     }
 
     /// Adds the force of the bottom on vessels over a bottom that is not level. All other forces except contact must
@@ -305,25 +391,25 @@ impl World {
     fn press_on_bottom(
         &mut self,
         setup: &WorldSetup,
-        (states, lags_s): (&[BodyState], &[f64]),
-        (t_s, acts_s): (f64, f64),
+        bodies: MovingBodies<'_>,
+        times: StepTimes,
         loads: &mut [Wrench],
     ) {
         for (index, vessel) in setup.vessels.iter().enumerate() {
             if self.soundings[index].is_level {
                 continue;
             }
-            let (state, load) = (&states[vessel.body], &mut loads[vessel.body]);
+            let (state, load) = (&bodies.states[vessel.body], &mut loads[vessel.body]);
             let axes = Rotation::from_angle(state.heading_rad);
             let own = axes.apply_inverse(load.force_n);
             let step = grounding::Step {
                 mass: self.masses[index],
                 given: [own.x, own.y, load.moment_nm],
-                acts_s,
-                lag_s: greater(lags_s[vessel.body], 0.0),
+                acts_s: times.acts_s,
+                lag_s: greater(bodies.lags_s[vessel.body], 0.0),
             };
             let squat_m = self.vessels[index].squat_m;
-            let force = vessel.on_slope(state, (&setup.environment, squat_m, t_s), &step);
+            let force = vessel.on_slope(state, &setup.environment, squat_m, times.t_s, &step);
             if force == Force::default() {
                 continue;
             }
@@ -351,7 +437,7 @@ impl World {
     fn look_ahead(
         &mut self,
         setup: &WorldSetup,
-        (states, lags_s): (&[BodyState], &[f64]),
+        MovingBodies { states, lags_s }: MovingBodies<'_>,
         step_s: f64,
     ) {
         self.ahead.clear();
@@ -375,8 +461,8 @@ impl World {
     fn load_seaways(
         &mut self,
         setup: &WorldSetup,
-        (states, lags_s): (&[BodyState], &[f64]),
-        (t_s, step_s, acts_s): (f64, f64, f64),
+        MovingBodies { states, lags_s }: MovingBodies<'_>,
+        StepTimes { t_s, step_s, acts_s, .. }: StepTimes,
         loads: &mut [Wrench],
     ) {
         for index in 0..setup.vessels.len() {
@@ -412,36 +498,32 @@ impl World {
                     given.add_at(at_m, lever, vec2(surge_n, sway_n));
                 }
             }
-            let given = (&given, self.water_inertia[index].current_mps);
+            let stream_mps = self.water_inertia[index].current_mps;
             let sub_steps = SubSteps::of(step_s, lags_s[vessel.body]);
-            let times = (t_s, acts_s, sub_steps);
-            loads[vessel.body] = seaway.load((vessel, own, forces), body, given, times);
+            let times = SeawayTimes { t_s, acts_s, sub_steps };
+            loads[vessel.body] =
+                seaway.load((vessel, own, forces), body, &given, stream_mps, times);
         }
     }
 
     /// The lines as they will be after the orders that wait for the step at this time. If two orders are for the same
     /// step, the check of the second order must take the first order into account.
-    pub fn lines_after_orders(
-        &self,
-        setup: &WorldSetup,
-        times_s: (f64, f64),
-    ) -> Cow<'_, [Mooring]> {
-        line_work::after_orders(&self.lines, setup, self.waiting(times_s), times_s.0)
+    pub fn lines_after_orders(&self, setup: &WorldSetup, step: StepTime) -> Cow<'_, [Mooring]> {
+        line_work::after_orders(&self.lines, setup, self.waiting(step), step.t_s)
     }
 
-    /// Checks that an order can send a line to a bollard at a time. `line` and `bollard` are indices; `lines` are the
-    /// lines at this time.
+    /// Checks that an order can send a line to a bollard at a time. `lines` are the lines at this time.
     pub fn may_send(
         &self,
         lines: &[Mooring],
         setup: &WorldSetup,
         states: &[BodyState],
         t_s: f64,
-        (line, bollard): (usize, usize),
+        sending: Sending,
     ) -> Result<(), OrderError> {
         let level_m = setup.environment.level_m(t_s);
         let shore = Shore { fixed: &self.fixed, level_m, afloat: &self.afloat };
-        line_work::may_send(lines, setup, (states, shore), line, bollard)
+        line_work::may_send(lines, setup, states, shore, sending)
     }
 
     /// An anchor as it will be after the orders that wait for the step at this time. See [`World::lines_after_orders`].
@@ -449,10 +531,10 @@ impl World {
         &self,
         setup: &WorldSetup,
         anchor: usize,
-        times_s: (f64, f64),
+        step: StepTime,
     ) -> AnchorAtWork {
         let mut after = self.anchors[anchor];
-        for order in self.waiting(times_s) {
+        for order in self.waiting(step) {
             if let Action::Anchor(index, action) = order.action
                 && index == anchor
                 && after.may(&setup.anchors[anchor], action).is_ok()
@@ -463,9 +545,9 @@ impl World {
         after
     }
 
-    /// The orders that wait for a step, which is given by its start and its length (s).
-    fn waiting(&self, (t_s, step_s): (f64, f64)) -> impl Iterator<Item = &Order> {
-        self.orders[self.taken..].iter().take_while(move |order| order.at_s < t_s + step_s)
+    /// The orders that wait for a step.
+    fn waiting(&self, step: StepTime) -> impl Iterator<Item = &Order> {
+        self.orders[self.taken..].iter().take_while(move |order| order.at_s < step.end_s())
     }
 
     /// Adds an order. The world then forgets the orders that it has carried out, so that memory does not grow in a run
@@ -495,9 +577,10 @@ impl World {
         self.taken = 0;
     }
 
-    fn take_orders(&mut self, setup: &WorldSetup, states: &[BodyState], t_s: f64, step_s: f64) {
+    fn take_orders(&mut self, setup: &WorldSetup, states: &[BodyState], step: StepTime) {
+        let t_s = step.t_s;
         // An order takes effect in the step that contains its time.
-        while let Some(order) = self.orders.get(self.taken).filter(|o| o.at_s < t_s + step_s) {
+        while let Some(order) = self.orders.get(self.taken).filter(|o| o.at_s < step.end_s()) {
             self.taken += 1;
             match &order.action {
                 Action::Vessel(index, action) => {
@@ -531,9 +614,10 @@ impl World {
                     self.lines[*line].let_go(&setup.lines[*line], t_s);
                 }
                 Action::Line(line, LineAction::Send { bollard }) => {
-                    let (line, to) = (*line, *bollard);
-                    if self.may_send(&self.lines, setup, states, t_s, (line, to)).is_ok() {
-                        self.lines[line].send(to, t_s);
+                    let (line, bollard) = (*line, *bollard);
+                    let sending = Sending { line, bollard };
+                    if self.may_send(&self.lines, setup, states, t_s, sending).is_ok() {
+                        self.lines[line].send(bollard, t_s);
                     } else {
                         let kind = WorldEventKind::LineNotMadeFast;
                         self.events.push(WorldEvent { who: line, kind });
@@ -543,9 +627,9 @@ impl World {
         }
     }
 
-    /// Water level, heave, roll and pitch in the step that begins at `t_s` and takes `step_s` (s). These values give
-    /// the heights of fenders above the keels.
-    pub fn heights<'a>(&'a self, setup: &WorldSetup, (t_s, step_s): (f64, f64)) -> Heights<'a> {
+    /// Water level, heave, roll and pitch in a step. These values give the heights of fenders above the keels.
+    pub fn heights<'a>(&'a self, setup: &WorldSetup, step: StepTime) -> Heights<'a> {
+        let StepTime { t_s, step_s } = step;
         let level_m = setup.environment.level_m(t_s + 0.5 * step_s);
         let shore = Shore { fixed: &self.fixed, level_m, afloat: &self.afloat };
         Heights { shore, vessels: &self.vessels, t_s, step_s }
@@ -557,9 +641,10 @@ impl World {
         &mut self,
         setup: &WorldSetup,
         fenders: &[FenderSetup],
-        (contacts, touches): (&[Contact], &[Option<HullTouch>]),
+        contacts: &[Contact],
+        touches: &[Option<HullTouch>],
         states: &[BodyState],
-        (t_s, step_s): (f64, f64),
+        StepTime { t_s, step_s }: StepTime,
     ) {
         if setup.vessels.is_empty() {
             return;

@@ -5,10 +5,11 @@ use core::f64::consts::FRAC_PI_2;
 use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
 
 use super::environment::Environment;
-use super::event::{WorldEvent, WorldEventKind};
 use super::vessel::VesselSetup;
 use fenderline_ship::control::LateralDevice;
 use fenderline_ship::hydro::Force;
+use fenderline_ship::hydro::Particulars;
+use fenderline_ship::step_time::StepTime;
 use fenderline_ship::tug::{TugForce, TugOrder, TugState, VectorTug};
 
 /// A vector tug of a set-up.
@@ -78,33 +79,27 @@ impl TugAtWork {
     /// Does one step of the tug. Returns the wrench (force and moment) of the tug on the vessel's body.
     pub fn step(
         &mut self,
-        index: usize,
-        (setup, vessel): (&TugSetup, &VesselSetup),
+        setup: &TugSetup,
+        ship: &Particulars,
         state: &BodyState,
         environment: &Environment,
-        (t_s, step_s): (f64, f64),
-        events: &mut Vec<WorldEvent>,
+        step: StepTime,
     ) -> Wrench {
         if self.out {
             self.state.waiting.clear();
             self.state.order = TugOrder::StandBy;
         }
         let attitude = Rotation::from_angle(state.heading_rad);
-        let draught_m = vessel.ship.particulars.draught_m;
-        let current = environment.current(state.position_m, t_s, draught_m);
+        let current = environment.current(state.position_m, step.t_s, ship.draught_m);
         let water_mps = attitude.apply_inverse(state.velocity_mps - current);
         let density = environment.water_density_kgpm3;
         let TugForce { force: [surge_n, sway_n, yaw_nm], at_m, limited, .. } =
-            setup.tug.step(&mut self.state, (t_s, step_s), water_mps, density);
-        if limited && !self.limited {
-            events.push(WorldEvent { who: index, kind: WorldEventKind::TugLimited });
-        }
+            setup.tug.step(&mut self.state, step, water_mps, density);
         (self.limited, self.at_m) = (limited, at_m);
         self.force = Force { surge_n, sway_n, yaw_nm };
-        let ahead_m = vessel.ship.particulars.centre_of_gravity_m;
         Wrench {
             force_n: attitude.apply(vec2(surge_n, sway_n)),
-            moment_nm: yaw_nm - ahead_m * sway_n,
+            moment_nm: yaw_nm - ship.centre_of_gravity_m * sway_n,
         }
     }
 }

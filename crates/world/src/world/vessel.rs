@@ -9,6 +9,7 @@ use super::bank_walls::Walls;
 use super::current_table::CurrentTable;
 use super::environment::{Environment, NoDepth};
 use super::fault::Faults;
+use super::inputs::{Moving, StepTimes, Surroundings};
 use super::pilots::Pilots;
 use super::seaway_state::SeawayState;
 use super::soundings::Soundings;
@@ -24,6 +25,7 @@ use fenderline_ship::hydro::actuator::{Lag, Order, RateLimited};
 use fenderline_ship::hydro::shallow::SHALLOWEST_RATIO;
 use fenderline_ship::hydro::vessels::Origin;
 use fenderline_ship::hydro::{Controls, Force, Mmg, Velocity};
+use fenderline_ship::step_time::StepTime;
 use fenderline_ship::track::{OnPlan, PassagePlan};
 
 /// Under-keel clearance from which a ship that was aground is afloat again (m); our choice.
@@ -353,15 +355,13 @@ impl VesselSetup {
         self.ship.propulsion.is_none() && !self.azimuths.is_empty()
     }
 
-    /// The forces in a step, from the state at its start. `velocity` is the velocity through the water. Velocities
-    /// belong to `velocity_t_s`, positions to `t_s`. `gusts` are the gusts of the environment over this vessel,
-    /// `soundings` the depths under her. Stores the force of each azimuth unit in the unit.
+    /// The forces in a step, from the state at the start of the step. Stores the force of each azimuth unit in the unit.
     pub fn forces(
         &self,
         vessel: &mut VesselState,
-        (state, velocity): (&BodyState, &Velocity),
-        (environment, gusts, soundings): (&Environment, Option<&ShipGusts>, &Soundings),
-        (t_s, velocity_t_s, step_s): (f64, f64, f64),
+        Moving { state, velocity }: Moving<'_>,
+        Surroundings { environment, gusts, soundings }: Surroundings<'_>,
+        StepTimes { t_s, velocity_t_s, step_s, .. }: StepTimes,
     ) -> VesselForces {
         let water = environment.density();
         let controls = Controls { shaft_rps: vessel.shaft.value, rudder_rad: vessel.rudder.value };
@@ -370,7 +370,7 @@ impl VesselSetup {
         if let Some(table) = &self.current_table {
             let draught_m = ship.particulars.draught_m;
             let ratio = soundings.still_m.map(|depth_m| depth_m / draught_m);
-            parts.hull = table.hull((&ship, parts.hull), velocity, water, ratio);
+            parts.hull = table.hull(&ship, parts.hull, velocity, water, ratio);
         }
         let mut thrusters = Force::default();
         for (thruster, lag) in self.thrusters.iter().zip(&vessel.thrusters) {
@@ -388,7 +388,7 @@ impl VesselSetup {
             waves: self.drift(state, environment, velocity_t_s),
             excitation: Force::default(),
             radiation: Force::default(),
-            banks: self.banks((state, velocity), environment, soundings, t_s),
+            banks: self.banks(Moving { state, velocity }, environment, soundings, t_s),
             passing: Force::default(),
             // `World::step` adds the force of a bottom that is not level, which depends on all other forces.
             bottom: match soundings.is_level {
@@ -480,7 +480,7 @@ impl VesselSetup {
     /// Force and moment of all banks by Norrbin's formulas: straight banks, and the walls for the sections of the bottom.
     fn banks(
         &self,
-        (state, velocity): (&BodyState, &Velocity),
+        Moving { state, velocity }: Moving<'_>,
         environment: &Environment,
         soundings: &Soundings,
         t_s: f64,
@@ -511,7 +511,7 @@ impl VesselSetup {
             sum + Force { surge_n, sway_n, yaw_nm }
         });
         let (Some(bottom), Some(depth_m)) = (of_bottom, soundings.mean_m) else { return straight };
-        let walls = Walls::beside(hull, state, (bottom, environment.level_m(t_s), depth_m));
+        let walls = Walls::beside(hull, state, bottom, environment.level_m(t_s), depth_m);
         let [surge_n, sway_n, yaw_nm] = ship.between_walls(walls.per_m, &water);
         straight + Force { surge_n, sway_n, yaw_nm }
     }
@@ -521,7 +521,8 @@ impl VesselSetup {
     pub fn squat_m(
         &self,
         state: &BodyState,
-        (environment, soundings): (&Environment, &Soundings),
+        environment: &Environment,
+        soundings: &Soundings,
         t_s: f64,
     ) -> f64 {
         let (Some(squat), Some(depth_m)) = (environment.squat, soundings.mean_m) else {
@@ -533,11 +534,11 @@ impl VesselSetup {
             (Some(bottom), Some(width_m)) => {
                 let midship_m = state.pose().apply(vec2(-hull.centre_of_gravity_m, 0.0));
                 let ahead = Rotation::from_angle(state.heading_rad).apply(vec2(1.0, 0.0));
-                bottom.section_m2((midship_m, ahead), environment.level_m(t_s), 0.5 * width_m)
+                bottom.section_m2(midship_m, ahead, environment.level_m(t_s), 0.5 * width_m)
             }
             _ => f64::INFINITY,
         };
-        squat.sinkage_in_m(hull, (depth_m, section_m2), surge_mps)
+        squat.sinkage_in_m(hull, depth_m, section_m2, surge_mps)
     }
 
     /// The least under-keel clearance with a squat (m); `None` in deep water.
@@ -664,10 +665,10 @@ impl VesselSetup {
     /// uniform current.
     pub fn water_inertia(
         &self,
-        (state, velocity): (&BodyState, &Velocity),
+        Moving { state, velocity }: Moving<'_>,
         environment: &Environment,
         mass: &[[f64; 3]; 3],
-        (t_s, step_s): (f64, f64),
+        step: StepTime,
     ) -> WaterInertia {
         let &Velocity { surge_mps: u, sway_mps: v, yaw_radps: r } = velocity;
         let density = environment.density().density_kgpm3;
@@ -679,14 +680,13 @@ impl VesselSetup {
             yaw_nm: (sway_kg - surge_kg) * u * v,
         };
         let draught_m = self.ship.particulars.draught_m;
-        let acceleration =
-            environment.water_acceleration(state.position_m, (t_s, step_s), draught_m);
+        let acceleration = environment.water_acceleration(state.position_m, step, draught_m);
         let attitude = Rotation::from_angle(state.heading_rad);
         let own = attitude.apply_inverse(acceleration);
         let [[surge_kg, ..], [_, sway_kg, _], [_, coupling_kgm, _]] = *mass;
         WaterInertia {
             coriolis,
-            current_mps: self.stream(state, environment, t_s).0,
+            current_mps: self.stream(state, environment, step.t_s).0,
             acceleration: Wrench {
                 force_n: attitude.apply(vec2(surge_kg * own.x, sway_kg * own.y)),
                 moment_nm: coupling_kgm * own.y,

@@ -4,7 +4,7 @@ use fenderline_contact::number::lesser;
 use fenderline_contact::vec2;
 use fenderline_sim::ChainGrade;
 use fenderline_sim::anchor::{
-    AnchorFaults, AnchorGear, AnchorLoad, AnchorState, Hawse, Windlass, uplift_share,
+    AnchorFaults, AnchorGear, AnchorLoad, AnchorState, AnchorStep, Hawse, Windlass, uplift_share,
 };
 use fenderline_sim::{ChainLink, ChainSize};
 
@@ -45,7 +45,8 @@ fn load(distance_m: f64, bearing_rad: f64, above_bottom_m: f64, bites: bool) -> 
         at_m: vec2(distance_m * cos, distance_m * sin),
         above_bottom_m: Some(above_bottom_m),
     };
-    gear().step(&mut state, &hawse, (0.0, WATER_KGPM3, 0.1), &mut |_| {})
+    let given = AnchorStep { last_n: 0.0, water_kgpm3: WATER_KGPM3, step_s: 0.1 };
+    gear().step(&mut state, &hawse, given, &mut |_| {})
 }
 
 fn horizontal_kn(load: &AnchorLoad) -> f64 {

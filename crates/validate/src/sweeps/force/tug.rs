@@ -2,6 +2,7 @@
 
 use fenderline_contact::vec2;
 use fenderline_sim::constants::{KNOT_MPS, SEA_WATER_KGPM3, STANDARD_GRAVITY_MPS2};
+use fenderline_sim::step_time::StepTime;
 use fenderline_sim::tug::{TugEnvelope, TugOrder, TugState, VectorTug};
 
 use crate::sweeps::sweep::{Axis, Curve, Sweep};
@@ -90,7 +91,9 @@ fn of_order() -> Sweep {
         tug.order(&mut state, 0.0, order).expect("a good order");
         let (sin, cos) = libm::sincos(degrees.to_radians());
         let water_mps = vec2(cos, side * sin) * (5.0 * KNOT_MPS);
-        let force = tug.step(&mut state, (0.0, 1.0), water_mps, SEA_WATER_KGPM3).force;
+        let force = tug
+            .step(&mut state, StepTime { t_s: 0.0, step_s: 1.0 }, water_mps, SEA_WATER_KGPM3)
+            .force;
         [force[0], side * force[1], side * force[2]].map(|part| 1e-3 * part)
     };
     let curves =

@@ -7,7 +7,7 @@ use fenderline_ship::distance::of_segments_m;
 use fenderline_ship::hydro::Force;
 use fenderline_ship::passing::{FlowHull, FlowSetup, PassingSetup, PassingShip, force_under_way};
 
-use crate::world::{Environment, Soundings, VesselSetup};
+use crate::world::{Environment, Soundings, VesselSetup, Vessels};
 
 /// Distance between the midships of two ships, divided by the mean of their lengths, at which a force begins to fade,
 /// and at which the force is zero. At these distances the force is less than a thousandth of its peak abreast, so a
@@ -33,7 +33,8 @@ impl<'s> Afloat<'s> {
         hull: &'s FlowHull,
         pose: Pose,
         over_ground_mps: Vec2,
-        (environment, t_s): (&Environment, f64),
+        environment: &Environment,
+        t_s: f64,
     ) -> Afloat<'s> {
         let stream_mps = environment.current(pose.position_m, t_s, hull.draught_m);
         Afloat { hull, pose, velocity_mps: over_ground_mps - stream_mps }
@@ -44,12 +45,13 @@ impl<'s> Afloat<'s> {
         hull: &'s FlowHull,
         setup: &VesselSetup,
         states: &[BodyState],
-        water: (&Environment, f64),
+        environment: &Environment,
+        t_s: f64,
     ) -> Afloat<'s> {
         let state = &states[setup.body];
         let midship_m = vec2(-setup.ship.particulars.centre_of_gravity_m, 0.0);
         let pose = Pose { position_m: state.pose().apply(midship_m), ..state.pose() };
-        Afloat::of(hull, pose, state.velocity_at(pose.position_m), water)
+        Afloat::of(hull, pose, state.velocity_at(pose.position_m), environment, t_s)
     }
 
     pub(super) fn in_flow(&self) -> PassingShip<'_> {
@@ -68,14 +70,15 @@ impl<'s> Afloat<'s> {
 /// their places at the time `t_s`.
 pub fn act(
     flow: &FlowSetup,
-    (vessels, states): (&[VesselSetup], &[BodyState]),
-    (environment, soundings): (&Environment, &[Soundings]),
+    Vessels { setups, states }: Vessels<'_>,
+    environment: &Environment,
+    soundings: &[Soundings],
     t_s: f64,
     into: &mut [Force],
 ) {
-    let water = (environment, t_s);
-    let afloat =
-        |vessel: usize| Afloat::of_vessel(&flow.hulls[vessel], &vessels[vessel], states, water);
+    let afloat = |vessel: usize| {
+        Afloat::of_vessel(&flow.hulls[vessel], &setups[vessel], states, environment, t_s)
+    };
     for (vessel, force) in into.iter_mut().enumerate() {
         *force = Force::default();
         if flow.hulls.is_empty() {
@@ -84,7 +87,7 @@ pub fn act(
         let own = afloat(vessel);
         for ship in &flow.passing {
             let now = ship.track.at(t_s);
-            let other = Afloat::of(&ship.hull, now.pose, now.velocity_mps, water);
+            let other = Afloat::of(&ship.hull, now.pose, now.velocity_mps, environment, t_s);
             let Some([surge_n, sway_n, yaw_nm]) = push(&own, &other, environment) else { continue };
             let across_m = own.pose.apply_inverse(other.pose.position_m).y;
             let factors = ship.factors(own.hull, soundings[vessel].mean_m, across_m);
@@ -98,7 +101,7 @@ pub fn act(
         if !flow.between_vessels || !own.hull.is_slender() {
             continue;
         }
-        for other in (0..vessels.len()).filter(|&other| other != vessel) {
+        for other in (0..setups.len()).filter(|&other| other != vessel) {
             let other = afloat(other);
             let share = if other.hull.is_slender() { share_of_gap(&own, &other) } else { 0.0 };
             if share == 0.0 {
@@ -140,12 +143,14 @@ fn gap_between(own: &Afloat<'_>, other: &Afloat<'_>) -> f64 {
 /// `None` if one of the vessels is too short for the theory of slender ships.
 pub fn gap_in_beams(
     flow: &FlowSetup,
-    (vessels, states): (&[VesselSetup], &[BodyState]),
-    water: (&Environment, f64),
+    Vessels { setups, states }: Vessels<'_>,
+    environment: &Environment,
+    t_s: f64,
     pair: [usize; 2],
 ) -> Option<f64> {
-    let [one, other] =
-        pair.map(|index| Afloat::of_vessel(&flow.hulls[index], &vessels[index], states, water));
+    let [one, other] = pair.map(|index| {
+        Afloat::of_vessel(&flow.hulls[index], &setups[index], states, environment, t_s)
+    });
     let is_slender = one.hull.is_slender() && other.hull.is_slender();
     is_slender.then(|| gap_between(&one, &other))
 }

@@ -2,13 +2,13 @@
 //! the wall gives the flow.
 
 use fenderline_contact::number::greater;
-use fenderline_contact::{BodyState, Pose, Vec2, vec2};
-use fenderline_ship::environment::{Bank, BankMethod};
+use fenderline_contact::{Pose, Vec2, vec2};
+use fenderline_ship::environment::{Bank, BankMethod, BankWater};
 use fenderline_ship::hydro::Force;
 use fenderline_ship::passing::{FlowSetup, PassingShip, force_of_wall};
 
 use super::act::{Afloat, smooth};
-use crate::world::{Environment, Soundings, VesselSetup, Walls};
+use crate::world::{Environment, Soundings, Vessels, Walls};
 
 /// Sines of the angles between ship and wall (15 and 30 degrees) at which the force begins to fade, and at which the
 /// force is zero; our choice.
@@ -24,8 +24,9 @@ const FADES: [f64; 2] = [8.0, 10.0];
 /// Sets the force of all banks that act by an image on each vessel, about midship.
 pub fn act_of_banks(
     flow: &FlowSetup,
-    (vessels, states): (&[VesselSetup], &[BodyState]),
-    (environment, soundings): (&Environment, &[Soundings]),
+    Vessels { setups, states }: Vessels<'_>,
+    environment: &Environment,
+    soundings: &[Soundings],
     t_s: f64,
     into: &mut [Force],
 ) {
@@ -38,11 +39,11 @@ pub fn act_of_banks(
         return;
     }
     let depths = soundings.iter().zip(into);
-    for ((hull, setup), (soundings, into)) in flow.hulls.iter().zip(vessels).zip(depths) {
+    for ((hull, setup), (soundings, into)) in flow.hulls.iter().zip(setups).zip(depths) {
         if !hull.is_slender() {
             continue;
         }
-        let own = Afloat::of_vessel(hull, setup, states, (environment, t_s));
+        let own = Afloat::of_vessel(hull, setup, states, environment, t_s);
         // For a ship aground the bottom is at the keel.
         let depth_m = soundings.mean_m.map(|depth_m| greater(depth_m, hull.draught_m));
         for bank in environment.banks.iter().filter(by_image) {
@@ -60,16 +61,19 @@ pub fn act_of_banks(
             *into = *into + Force { surge_n, sway_n, yaw_nm } * share;
         }
         if let (Some(bottom), Some(mean_m)) = (of_bottom, soundings.mean_m) {
-            let water = (bottom, environment.level_m(t_s), mean_m);
-            let walls = Walls::beside(&setup.ship.particulars, &states[setup.body], water);
-            *into = *into + between(&own, &walls, (environment.water_density_kgpm3, depth_m));
+            let level_m = environment.level_m(t_s);
+            let (hull, state) = (&setup.ship.particulars, &states[setup.body]);
+            let walls = Walls::beside(hull, state, bottom, level_m, mean_m);
+            let water = BankWater { density_kgpm3: environment.water_density_kgpm3, depth_m };
+            *into = *into + between(&own, &walls, &water);
         }
     }
 }
 
 /// The force of the two walls that stand for the sections of a bottom. The walls lie along the ship, however she heads,
 /// so that she feels no moment but that of her form.
-fn between(own: &Afloat<'_>, walls: &Walls, (density_kgpm3, depth_m): (f64, Option<f64>)) -> Force {
+fn between(own: &Afloat<'_>, walls: &Walls, water: &BankWater) -> Force {
+    let &BankWater { density_kgpm3, depth_m } = water;
     let flow = own.in_flow();
     let ahead_mps = flow.pose.rotation.apply_inverse(flow.velocity_mps).x;
     // In the ship's axes, so that ship and harbour may be turned or mirrored together.
