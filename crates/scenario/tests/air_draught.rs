@@ -94,7 +94,7 @@ fn the_clearance_is_that_of_the_closed_form_from_bow_to_stern() {
     assert_eq!(over(1).count(), 0, "the bridge beside her");
     // The safe clearance of the cable counts, not the larger one.
     assert!(over(2).count() > 5 && over(2).all(|(now, _)| now.clearance_m > 8.0));
-    let least = over(0).map(|(now, _)| now.clearance_m).fold(f64::INFINITY, f64::min);
+    let least = over(0).map(|(now, _)| now.clearance_m).fold(f64::INFINITY, libm::fmin);
     assert!(least > 2.5 && least < 5.5, "{least}");
 }
 
