@@ -4,6 +4,7 @@
 #![recursion_limit = "256"]
 
 mod adrift;
+mod air_draught;
 mod all_but_stopped;
 mod anchors;
 mod any_text;
@@ -50,6 +51,7 @@ mod passing;
 mod plan;
 mod plausible;
 mod points_of_attack;
+mod quay_line;
 mod rows;
 mod schema;
 mod seakeeping;

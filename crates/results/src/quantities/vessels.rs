@@ -86,6 +86,15 @@ pub static VESSELS: Catalogue<VesselSetup, VesselTotals> = Catalogue {
         known("peak_cross_track_at_s", "s", "time of this cross-track distance", |_, v| {
             v.cross_track_m.map(|peak| peak.at_s)
         }),
+        known(
+            "min_air_clearance_m",
+            "m",
+            "least clearance under a bridge or cable, squat included; negative: the vessel is too high",
+            |_, v| v.air_clearance_m.map(|(least, _)| least.value),
+        ),
+        known("min_air_clearance_at_s", "s", "time of this clearance", |_, v| {
+            v.air_clearance_m.map(|(least, _)| least.at_s)
+        }),
     ],
     shown: &[
         shown("Speed over ground", "peak_speed_over_ground_mps", KNOTS).sheet(11.0),
@@ -106,6 +115,8 @@ pub static VESSELS: Catalogue<VesselSetup, VesselTotals> = Catalogue {
         shown("At", "min_under_keel_clearance_at_s", SECONDS).sheet(10.0),
         shown("Cross-track distance", "peak_cross_track_m", METRES).sheet(13.0),
         shown("At", "peak_cross_track_at_s", SECONDS).sheet(10.0),
+        shown("Least clearance under a bridge", "min_air_clearance_m", METRES).sheet(13.0),
+        shown("At", "min_air_clearance_at_s", SECONDS).sheet(10.0),
         shown("Time aground", "aground_s", SECONDS).sheet(10.0),
     ],
 };

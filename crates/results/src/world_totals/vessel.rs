@@ -3,6 +3,7 @@
 use fenderline_contact::BodyState;
 use fenderline_sim::VesselState;
 use fenderline_sim::hydro::{Force, Velocity};
+use fenderline_sim::overhead::AirClearance;
 use fenderline_sim::track::OnPlan;
 
 use super::{Lasting, Peak};
@@ -31,6 +32,10 @@ pub struct VesselTotals {
     /// Largest cross-track distance from the vessel's passage plan between the first and the last waypoint, positive to
     /// starboard of the track (m); `None` if the vessel was on no leg of a plan.
     pub cross_track_m: Option<Peak>,
+    /// Least clearance under a bridge or cable (m), and its index in
+    /// [`fenderline_sim::overhead::OverheadSetup::structures`]; `None` if the vessel passed under none, or if her air
+    /// draught is not known.
+    pub air_clearance_m: Option<(Peak, usize)>,
     /// Largest surge force, sway force and yaw moment by the flow around passing ships and other vessels (N, N, N·m).
     pub passing: [Peak; 3],
     /// Time for which the vessel was aground.
@@ -49,6 +54,13 @@ impl VesselTotals {
         if let Some(on) = on_plan.filter(OnPlan::is_on_leg) {
             let first = Peak { value: on.cross_track_m, at_s: t_s };
             self.cross_track_m.get_or_insert(first).raise(on.cross_track_m, t_s);
+        }
+    }
+
+    pub(super) fn add_overhead(&mut self, t_s: f64, now: &AirClearance) {
+        let value = now.clearance_m;
+        if self.air_clearance_m.is_none_or(|(least, _)| value < least.value) {
+            self.air_clearance_m = Some((Peak { value, at_s: t_s }, now.structure));
         }
     }
 
