@@ -6,7 +6,7 @@
 mod long_passage;
 
 use std::hint::black_box;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, ExitCode};
 use std::time::Instant;
 
@@ -135,7 +135,7 @@ fn steps(folder: &Path, count: &str) -> Result<(), String> {
     Ok(())
 }
 
-fn load(path: &PathBuf) -> Result<Scenario, String> {
+fn load(path: &Path) -> Result<Scenario, String> {
     Scenario::load(path, &[]).map_err(|error| error.to_string())
 }
 

@@ -242,7 +242,7 @@ pub(crate) fn sail(simulation: &mut Simulation, most_steps: u64) -> Sailed {
     simulation.order(order(VesselAction::Speed(SPEED_MPS))).expect("the ship has an engine");
     let mut sailed = Sailed { least_m: f64::INFINITY, ..Sailed::default() };
     while sailed.steps < most_steps {
-        if sailed.steps % 10 == 0 {
+        if sailed.steps.is_multiple_of(10) {
             let pose = simulation.states()[body].pose();
             let on = plan.at(pose.position_m);
             (sailed.along_m, sailed.off_m) =
