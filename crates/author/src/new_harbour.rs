@@ -91,9 +91,8 @@ impl NewHarbour {
         tables["chart"]["solid_material"] = toml_edit::value("concrete");
         let title = quoted(&format!("A berth of the chart in {}", self.chart));
         let base = format!(
-            "# Made by `fenderline init harbour` from the chart in {}. Sizes and distances of fenders and bollards are our\n\
-             # choice: change them as you like. Charts are not for navigation.\n\ntitle = {title}\n{HEAD}\n{}\n{}{}",
-            self.chart,
+            "# The berth is on a quay line of the chart. Sizes and distances of its fenders and bollards are fenderline's\n\
+             # choice, not those of the real berth. The chart is not for navigation.\n\ntitle = {title}\n{HEAD}\n{}\n\n{}{}",
             tables.to_string().trim(),
             text::CONCRETE.trim_start_matches('\n'),
             berth(&quay_line)
