@@ -10,10 +10,11 @@ fn seen(session: &Session, role: &Role) -> Frame {
     session.in_fog(&all, role).unwrap_or(all)
 }
 
-/// The alarms about bridges and cables.
+/// The alarms about bridges and cables whose cause is present.
 fn overhead(session: &Session) -> Vec<String> {
     let alarms = session.frame(0, RunState::default()).alarms.into_iter();
-    alarms.filter(|alarm| alarm.key == "overhead ship").map(|alarm| alarm.text).collect()
+    let stand = alarms.filter(|alarm| alarm.key == "overhead ship" && alarm.stands);
+    stand.map(|alarm| alarm.text).collect()
 }
 
 #[test]
