@@ -51,23 +51,24 @@ export function seatOn(ship: Arrangement, eye: Exclude<Eye, "bollard" | "free">)
       return {
         at: [bridge.fore_m + 0.25, side * (bridge.wing_m + 0.15)],
         up_m: up_m + 0.1,
-        ...looks(side * 16, -15, 50),
+        ...looks(side * 14, -20, 52),
       };
     }
     case "bow": {
-      const at = hull.fore_m - (ship.kind === "tug" ? 0.16 : 0.012) * length_m;
+      // Behind the bulwark of the forecastle, high enough to see the water before the stem.
+      const at = hull.fore_m - (ship.kind === "tug" ? 0.16 : 0.03) * length_m;
       return {
         at: [at, 0],
-        up_m: hull.deck_m(at) + (ship.kind === "tug" ? 2.4 : 3),
-        ...looks(0, -9, 50),
+        up_m: hull.deck_m(at) + (ship.kind === "tug" ? 2.4 : 3.4),
+        ...looks(0, -12, 54),
       };
     }
     case "stern": {
-      const at = hull.aft_m + 0.015 * length_m;
+      const at = hull.aft_m + 0.035 * length_m;
       return {
         at: [at, 0],
-        up_m: hull.deck_m(at) + Math.max(2.4, 0.1 * beam_m),
-        ...looks(180, -10, 50),
+        up_m: hull.deck_m(at) + Math.max(2.4, 0.12 * beam_m),
+        ...looks(180, -13, 54),
       };
     }
   }
@@ -78,8 +79,8 @@ export const seatAtBollard = (at: Pair, deck_m: number, facing_rad: number): Sea
   at,
   up_m: deck_m + STEM_M + 1.4,
   bearing_rad: facing_rad,
-  elevation_rad: -4 * DEG,
-  view_rad: 50 * DEG,
+  elevation_rad: -9 * DEG,
+  view_rad: 54 * DEG,
 });
 
 /** A horizontal angle of view as the vertical one of a picture with this width over height [rad]. */

@@ -221,10 +221,9 @@ function plant(woods: { ring: Pair[]; area: number }[], fixed: Pair[][]): Pair[]
 
 function forest(places: Pair[], shared: Shared): InstancedMesh {
   const tree = new Solids();
-  tree.post([0, 0, 0], [0, 0, 2.5], 0.22, 0x4a3a2a, { sides: 5, caps: false });
-  tree.ball([0, 0, 4.6], 2.7, 0x3f5229, 4);
-  tree.ball([1, 0.6, 6.4], 1.9, 0x4a5c2e, 4);
-  tree.ball([-0.8, -0.7, 6], 1.7, 0x374a25, 4);
+  tree.post([0, 0, 0], [0, 0, 2.5], 0.22, 0x4a3a2a, { sides: 3, caps: false });
+  tree.ball([0, 0, 4.8], 3, 0x3f5229, 3);
+  tree.ball([1, 0.6, 6.8], 2.1, 0x4a5c2e, 3);
   const mesh = new InstancedMesh(geometryOf(tree), paintwork(shared, "leaves"), places.length);
   const matrix = new Matrix4();
   places.forEach(([n, e], i) => {

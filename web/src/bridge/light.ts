@@ -69,6 +69,8 @@ export interface Light {
   glow: Triple;
   /** Colour of deep water. */
   water: Triple;
+  /** Exposure of the picture: eyes grow used to the dark. */
+  exposure: number;
   /** 0 by day, 1 when lights shine. */
   lamps: number;
   /** 0 by day, 1 when stars are seen. */
@@ -85,28 +87,31 @@ const NOON: Colours = {
   horizon: [0.5, 0.63, 0.74],
   glow: [0.55, 0.5, 0.4],
   water: [0.014, 0.045, 0.048],
+  exposure: 0.92,
   lamps: 0,
   stars: 0,
 };
 const SUNSET: Colours = {
-  direct: [0.9, 0.42, 0.2],
-  sky: [0.3, 0.32, 0.44],
-  ground: [0.12, 0.11, 0.12],
-  zenith: [0.022, 0.045, 0.115],
-  horizon: [0.2, 0.17, 0.2],
-  glow: [0.95, 0.33, 0.09],
-  water: [0.006, 0.018, 0.025],
+  direct: [0.8, 0.42, 0.22],
+  sky: [0.3, 0.36, 0.5],
+  ground: [0.14, 0.14, 0.15],
+  zenith: [0.03, 0.066, 0.15],
+  horizon: [0.21, 0.23, 0.29],
+  glow: [1.15, 0.42, 0.12],
+  water: [0.008, 0.022, 0.03],
+  exposure: 1.35,
   lamps: 1,
   stars: 0,
 };
 const NIGHT: Colours = {
-  direct: [0.05, 0.065, 0.1],
-  sky: [0.018, 0.026, 0.046],
-  ground: [0.006, 0.008, 0.011],
-  zenith: [0.0012, 0.0022, 0.0056],
-  horizon: [0.006, 0.0085, 0.0135],
-  glow: [0.01, 0.009, 0.012],
-  water: [0.0006, 0.0014, 0.002],
+  direct: [0.055, 0.07, 0.105],
+  sky: [0.02, 0.028, 0.048],
+  ground: [0.007, 0.009, 0.012],
+  zenith: [0.0022, 0.004, 0.0095],
+  horizon: [0.011, 0.0155, 0.024],
+  glow: [0.012, 0.011, 0.014],
+  water: [0.0022, 0.0042, 0.0056],
+  exposure: 2.3,
   lamps: 1,
   stars: 1,
 };
@@ -126,6 +131,7 @@ const blend = (a: Colours, b: Colours, share: number): Colours => {
     horizon: three(a.horizon, b.horizon),
     glow: three(a.glow, b.glow),
     water: three(a.water, b.water),
+    exposure: mix(a.exposure, b.exposure),
     lamps: mix(a.lamps, b.lamps),
     stars: mix(a.stars, b.stars),
   };

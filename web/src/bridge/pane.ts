@@ -278,6 +278,7 @@ export class Pane {
       this.describe();
       // For tests.
       canvas.dataset.script = this.script_ms.toFixed(2);
+      canvas.dataset.triangles = String(picture.triangles);
       canvas.dataset.interval = this.interval_ms.toFixed(1);
     }
   }

@@ -6,7 +6,6 @@ import {
   ACESFilmicToneMapping,
   Color,
   DirectionalLight,
-  Euler,
   Group,
   HemisphereLight,
   Matrix4,
@@ -19,17 +18,18 @@ import {
   WebGLRenderer,
 } from "three";
 import { type Arrangement, type Vessel, arrangementOf } from "./arrangement";
+import { type Attitude, LEVEL, aim, clamp, stand } from "./aim";
 import { type Triple, aboard, toPicture } from "./axes";
 import { QUAY_M, STEM_M, bollard, fixedParts } from "./berth";
 import { catenary, weightOf } from "./catenary";
-import { type Seat, seatAtBollard, seatOn, vertical } from "./eyes";
+import { type Seat, seatAtBollard, seatOn } from "./eyes";
 import { Fenders, geometryOf } from "./fenders";
 import type { Paint } from "./fittings";
 import { Glows } from "./glows";
 import { type Lamp, type LampColour, atAnchor, bearingFrom, isSeen, underWay } from "./lamps";
 import { cut, land } from "./land";
 import { type Sun, PALETTE_SUNS, density, lightOf } from "./light";
-import { type Look, VIEW_LIMITS } from "./look";
+import type { Look } from "./look";
 import { lampHeight, mark } from "./marks";
 import { type Shared, paintwork } from "./paintwork";
 import { PIECES, Ropes } from "./ropes";
@@ -57,14 +57,6 @@ interface Ship {
   anchored: Lamp[];
 }
 
-/** Angles and speed of the ship's picture. */
-interface Attitude {
-  heel_rad: number;
-  trim_rad: number;
-  squat_m: number;
-}
-
-const LEVEL: Attitude = { heel_rad: 0, trim_rad: 0, squat_m: 0 };
 /** Slack below which a line counts as without tension [N]. */
 const SLACK_N = 50;
 /** Half the side of the square that casts shadows [m]. */
@@ -98,6 +90,8 @@ export class Picture {
   private sun: Sun = PALETTE_SUNS.day;
   private isDark = false;
   private visibility_m: number | null | undefined;
+  /** Triangles of the last drawing. */
+  triangles = 0;
   private waves = components(null);
   private waveKey = "";
   private built = new Group();
@@ -114,7 +108,6 @@ export class Picture {
       powerPreference: "high-performance",
     });
     this.renderer.toneMapping = ACESFilmicToneMapping;
-    this.renderer.toneMappingExposure = 0.92;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.direct.castShadow = !options.cheap;
@@ -336,6 +329,7 @@ export class Picture {
       },
       haze,
     );
+    this.renderer.toneMappingExposure = light.exposure;
     this.shared.uLamps.value = light.lamps;
     this.isDark = light.lamps > 0;
     this.direct.color = new Color(...direct);
@@ -373,6 +367,7 @@ export class Picture {
     this.dome.position.copy(this.camera.position);
     this.shadow(look);
     this.renderer.render(this.scene, this.camera);
+    this.triangles = this.renderer.info.render.triangles;
   }
 
   private attitude(index: number, frame: Frame, share: number): Attitude {
@@ -395,11 +390,7 @@ export class Picture {
       group.visible = now !== null;
       if (!now) return;
       const index = live.hello?.vessels.findIndex(({ body }) => body === i) ?? -1;
-      const { heel_rad, trim_rad, squat_m } =
-        index >= 0 ? this.attitude(index, frame, share) : LEVEL;
-      group.position.set(...toPicture(origin, [now[0], now[1]], -squat_m));
-      group.rotation.set(trim_rad, -now[2], -heel_rad, "YXZ");
-      group.updateMatrixWorld();
+      stand(group, origin, now, index >= 0 ? this.attitude(index, frame, share) : LEVEL);
     });
     const passing = frame.traffic;
     for (const ship of this.ships) {
@@ -407,9 +398,7 @@ export class Picture {
       const now = passing[ship.index];
       ship.group.visible = Boolean(now);
       if (!now) continue;
-      ship.group.position.set(...toPicture(origin, [now[0], now[1]], 0));
-      ship.group.rotation.set(0, -now[2], 0, "YXZ");
-      ship.group.updateMatrixWorld();
+      stand(ship.group, origin, now, LEVEL);
     }
     this.placeTugs(bodies, frame);
   }
@@ -450,8 +439,8 @@ export class Picture {
       if (!info || !on) return null;
       const facing = this.hello?.berth?.body === info.body ? this.hello.berth.facing : null;
       const toward = facing ? Math.atan2(facing[1], facing[0]) : 0;
-      // A step behind the bollard.
-      const back = turned(toward, [-2.2, 0]);
+      // Some steps behind the bollard, and beside it.
+      const back = turned(toward, [-4.5, -1.2]);
       const at: Pair = [info.at_m[0] + back[0], info.at_m[1] + back[1]];
       return { seat: seatAtBollard(at, this.deck(info.body, info.at_m), toward), on };
     }
@@ -463,22 +452,7 @@ export class Picture {
     const { camera } = this;
     const at = this.seat(look);
     if (at) {
-      const { seat, on } = at;
-      const [x, y, z] = aboard(seat.at, seat.up_m);
-      const local = new Matrix4().makeRotationFromEuler(
-        new Euler(
-          look.panorama_rad === null
-            ? clamp(seat.elevation_rad + look.raise_rad, -1.5, 1.3)
-            : look.raise_rad,
-          -(seat.bearing_rad + look.turn_rad),
-          0,
-          "YXZ",
-        ),
-      );
-      local.setPosition(x, y, z);
-      local.premultiply(on.matrixWorld);
-      local.decompose(camera.position, camera.quaternion, new Vector3());
-      camera.fov = deg(this.view(seat, look));
+      aim(camera, at.seat, at.on.matrixWorld, look);
     } else {
       const ship = this.shipOf(look.vessel) ?? this.ships[0];
       const centre = ship ? ship.group.position.clone() : new Vector3();
@@ -503,14 +477,6 @@ export class Picture {
     camera.position.y = Math.max(camera.position.y, sea + 0.8);
     camera.updateProjectionMatrix();
     camera.updateMatrixWorld();
-  }
-
-  /** The vertical angle of view; on an upright screen the seat's angle is that of the width [rad]. */
-  private view(seat: Seat, look: Look): number {
-    const { aspect } = this.camera;
-    if (look.panorama_rad !== null) return vertical(look.panorama_rad, aspect);
-    if (look.view_rad !== null) return look.view_rad;
-    return aspect < 1 ? clamp(vertical(seat.view_rad, aspect), ...VIEW_LIMITS) : seat.view_rad;
   }
 
   /** Direction in which the camera looks, from north [rad], its elevation, and its vertical angle of view. */
@@ -755,9 +721,6 @@ export class Picture {
 }
 
 const deg = (rad: number): number => (rad * 180) / Math.PI;
-const clamp = (value: number, least: number, most: number): number =>
-  Math.min(most, Math.max(least, value));
-
 const lampColour = (colour: string | null): LampColour =>
   colour === "red" || colour === "green" || colour === "yellow" ? colour : "white";
 

@@ -122,18 +122,20 @@ export class Sea {
   private readonly waves = Array.from({ length: MOST }, () => new Vector4());
   private readonly frequencies = Array.from({ length: MOST }, () => new Vector2());
   private readonly wakes = Array.from({ length: MOST_WAKES }, () => new Vector4());
+  private readonly eye = new Vector3();
+  private readonly wind = new Vector2();
+  private readonly water = new Vector3();
   private readonly shapes = Array.from({ length: MOST_WAKES }, () => new Vector4());
 
   constructor(sky: SkyUniforms) {
     this.material = new ShaderMaterial({
       uniforms: {
         ...(sky as unknown as Record<string, { value: unknown }>),
-        uEye: { value: new Vector3() },
-        uOrigin: { value: new Vector2() },
+        uEye: { value: this.eye },
         uTime: { value: 0 },
-        uWind: { value: new Vector2() },
+        uWind: { value: this.wind },
         uRipples: { value: ripples() },
-        uWater: { value: new Vector3() },
+        uWater: { value: this.water },
         uWaves: { value: this.waves },
         uFrequencies: { value: this.frequencies },
         uWaveCount: { value: 0 },
@@ -155,7 +157,7 @@ export class Sea {
   }
 
   colour([r, g, b]: Triple): void {
-    (this.material.uniforms.uWater?.value as Vector3).set(r, g, b);
+    this.water.set(r, g, b);
   }
 
   /** The waves, and the origin of the picture's axes, about which places are computed. */
@@ -187,13 +189,10 @@ export class Sea {
 
   tick(eye: Triple, t_s: number, wind: WindNow): void {
     this.mesh.position.set(eye[0], 0, eye[2]);
-    (this.material.uniforms.uEye?.value as Vector3).set(...eye);
+    this.eye.set(...eye);
     this.set("uTime", t_s);
     const to = wind.from_rad + Math.PI;
-    (this.material.uniforms.uWind?.value as Vector2).set(
-      Math.sin(to) * wind.speed_mps,
-      -Math.cos(to) * wind.speed_mps,
-    );
+    this.wind.set(Math.sin(to) * wind.speed_mps, -Math.cos(to) * wind.speed_mps);
   }
 }
 
@@ -258,7 +257,7 @@ void main() {
     // Beside and behind her.
     float breadth = 0.34 * s.y + 0.055 * max(astern, 0.0);
     float trail = smoothstep(-8.0, 6.0, astern) * exp(-max(astern, 0.0) / (60.0 + 90.0 * fast)) * smoothstep(breadth * 1.5, breadth * 0.3, across);
-    float wash = trail * clamp(abs(s.w) * 1.1 + fast * 0.5, 0.0, 1.0);
+    float wash = trail * clamp(abs(s.w) * 0.8 + fast * 0.35, 0.0, 0.85) * (0.35 + 0.65 * exp(-max(astern, 0.0) / 45.0));
     // Wash astern goes forward along the hull.
     if (s.w < -0.02) wash += abs(s.w) * smoothstep(0.5 * s.x, 0.0, along + half_) * step(-half_ - 10.0, along) * smoothstep(1.1 * s.y, 0.3 * s.y, across);
     float hug = smoothstep(0.5 * s.y + 2.6, 0.5 * s.y - 0.4, across) * step(-half_, along) * smoothstep(half_ + 3.0, half_ - 4.0, along);
@@ -268,8 +267,7 @@ void main() {
     smooth_ += smoothstep(breadth * 1.8, breadth * 0.8, across) * smoothstep(-4.0, 20.0, astern) * exp(-max(astern, 0.0) / 700.0) * fast;
   }
   slope *= 1.0 - 0.55 * clamp(smooth_, 0.0, 1.0);
-  float grain = 0.5 + 0.5 * (fine.x * 0.9 + middle.y * 0.7) ;
-  float lather = ripple(p / 5.0 - vec2(uTime * 0.02)).x + ripple(p / 13.0 + 0.3).y;
+  float lather = (ripple(p / 6.0 - vec2(uTime * 0.02)).x + ripple(p / 21.0 + 0.3).y) * 1.3 + 0.5 * ripple(p / 70.0 + 0.6).x;
   foam = clamp(foam, 0.0, 1.0) * smoothstep(0.1, 0.95, clamp(foam, 0.0, 1.0) * 0.75 + 0.33 * lather + 0.2);
   // White horses from a fresh breeze on.
   float crest = coarse.x * 0.6 + middle.x * 0.6 + fine.x * 0.25;

@@ -20,10 +20,14 @@ export const PAINTS: Paint[] = [
 /** Top of the bottom paint above the water that the ship floats at [m]: her load line lies a little higher. */
 const BOOT_M = 0.35;
 
+/** Height of the bulwark at the bow [m]. */
+const BULWARK_M = 1.2;
+const TUG_BULWARK_M = 0.9;
+
 /** Colours of containers. */
 const BOXES: Colour[] = [
-  0x2f5f8f, 0x8c3b2c, 0x3f6f4a, 0xb8862d, 0x7b7f83, 0x5b2f3a, 0x23456b, 0xa9562a, 0xcfd2cf,
-  0x2c5a56,
+  0x47617a, 0x7d4a3f, 0x53685a, 0x9a8152, 0x7b7f83, 0x5a3d43, 0x3a4d61, 0x8f6043, 0xb9bab5,
+  0x44595a,
 ];
 
 export function shipParts(ship: Arrangement, paint: Paint): Parts {
@@ -47,7 +51,7 @@ export function hullParts({ hull, kind }: Arrangement, paint: Paint, to: Solids)
   const stations = hull.stations(44);
   const bilge_m = 0.25 * draught_m;
   const shares = [0, 0.15, 0.4, 0.7, 1];
-  const rail = kind === "tug" ? 0.9 : 0;
+  const rail = kind === "tug" ? TUG_BULWARK_M : 0;
   for (const side of [1, -1] as const) {
     const column = (forward: number): Spot[] => {
       const deck = hull.deck_m(forward) + rail;
@@ -73,18 +77,24 @@ export function hullParts({ hull, kind }: Arrangement, paint: Paint, to: Solids)
       },
     );
   }
-  // The transom joins both sides, and so does the bottom.
-  const [starboard, port] = ([1, -1] as const).map((side) =>
-    [-draught_m * 0.6, 0, BOOT_M, hull.deck_m(hull.aft_m) + rail].map((up) =>
-      hull.side(hull.aft_m, up, side),
-    ),
-  );
-  if (starboard && port)
-    for (let i = 0; i + 1 < starboard.length; i++) {
-      const corners = [starboard[i], starboard[i + 1], port[i + 1], port[i]];
-      if (corners.every((c) => c !== undefined))
-        to.face(corners as Spot[], [-1, 0, 0], i < 2 ? paint.bottom : paint.side);
-    }
+  // Transom and stem join both sides where the outline ends flat.
+  for (const [end, out] of [
+    [hull.aft_m, -1],
+    [hull.fore_m, 1],
+  ] as const) {
+    const wall = out > 0 && kind !== "tug" ? BULWARK_M : rail;
+    const heights = [-draught_m * 0.6, 0, BOOT_M, hull.deck_m(end), hull.deck_m(end) + wall];
+    const [starboard, port] = ([1, -1] as const).map((side) =>
+      heights.map((up) => hull.side(end, up, side)),
+    );
+    heights.forEach((_, k) => {
+      const corners = [starboard?.[k], starboard?.[k + 1], port?.[k + 1], port?.[k]];
+      if (!corners.every((corner) => corner !== undefined)) return;
+      const colour = k < 2 ? paint.bottom : paint.side;
+      to.face(corners, [out, 0, 0], colour);
+      if (k === 3) to.face(corners, [-out, 0, 0], paint.deck);
+    });
+  }
   const across = (forward: number, up: number): Spot[] => {
     const [p, s] = [hull.side(forward, up, -1), hull.side(forward, up, 1)];
     return [p, [p[0], 0, up], s];
@@ -101,7 +111,7 @@ export function hullParts({ hull, kind }: Arrangement, paint: Paint, to: Solids)
   const walled = decks.filter(
     (f) => kind === "tug" || f > hull.aft_m + 0.9 * (hull.fore_m - hull.aft_m),
   );
-  const height = kind === "tug" ? rail : 1.2;
+  const height = kind === "tug" ? rail : BULWARK_M;
   for (const side of [1, -1] as const) {
     const low = walled.map((f) => hull.side(f, hull.deck_m(f), side));
     const high = walled.map((f): Spot => {
