@@ -18,7 +18,7 @@ const STONE = 0x77716a;
 const ASPHALT = 0x6f6d68;
 /** Trees stand no farther from the origin [m]. */
 const WOODS_M = 5000;
-const MOST_TREES = 1600;
+export const MOST_TREES = 1600;
 
 /** Triangles of a ring with holes, as indices into all their corners one after the other. */
 export const cut = (ring: Pair[], holes: Pair[][] = []): number[][] => {
@@ -93,7 +93,13 @@ export interface Land {
 }
 
 /** `fixed`: outlines of the fixed bodies on the earth; all places are moved by the origin. */
-export function land(hello: Hello, fixed: Pair[][], origin: Pair, shared: Shared): Land {
+export function land(
+  hello: Hello,
+  fixed: Pair[][],
+  origin: Pair,
+  shared: Shared,
+  most_trees = MOST_TREES,
+): Land {
   const ground = new Solids();
   const built = new Solids();
   const woods: { ring: Pair[]; area: number }[] = [];
@@ -125,7 +131,7 @@ export function land(hello: Hello, fixed: Pair[][], origin: Pair, shared: Shared
   const meshes: (Mesh | InstancedMesh)[] = [];
   if (ground.triangles > 0) meshes.push(new Mesh(geometryOf(ground), paintwork(shared, "ground")));
   if (built.triangles > 0) meshes.push(new Mesh(geometryOf(built), paintwork(shared, "concrete")));
-  const trees = plant(woods, fixed.map(near));
+  const trees = plant(woods, fixed.map(near), most_trees);
   if (trees.length > 0) meshes.push(forest(trees, shared));
   for (const mesh of meshes) mesh.receiveShadow = true;
   return { meshes };
@@ -183,7 +189,7 @@ function bank(lines: Pair[][], to: Solids): void {
 }
 
 /** Places of trees: groups on the grass, away from the water and from quays. */
-function plant(woods: { ring: Pair[]; area: number }[], fixed: Pair[][]): Pair[] {
+function plant(woods: { ring: Pair[]; area: number }[], fixed: Pair[][], most: number): Pair[] {
   const places: Pair[] = [];
   const boxes = woods.map(({ ring }) => {
     const axis = (k: 0 | 1): Pair => {
@@ -199,7 +205,7 @@ function plant(woods: { ring: Pair[]; area: number }[], fixed: Pair[][]): Pair[]
       [0, 0],
       [0, 0],
     ];
-    const groups = Math.round((260 * (sizes[w] ?? 0)) / Math.max(1, sum));
+    const groups = Math.round(((most / 6) * (sizes[w] ?? 0)) / Math.max(1, sum));
     for (let g = 0; g < groups; g++) {
       const at: Pair = [
         n[0] + (n[1] - n[0]) * chance(w, g, 1),
@@ -207,7 +213,7 @@ function plant(woods: { ring: Pair[]; area: number }[], fixed: Pair[][]): Pair[]
       ];
       if (!isInside(ring, at) || offRing(ring, at) < 70) continue;
       const many = 3 + Math.floor(14 * chance(w, g, 3));
-      for (let k = 0; k < many && places.length < MOST_TREES; k++) {
+      for (let k = 0; k < many && places.length < most; k++) {
         const far = 42 * Math.sqrt(chance(w, g, k, 5));
         const angle = 2 * Math.PI * chance(w, g, k, 6);
         const place: Pair = [at[0] + far * Math.cos(angle), at[1] + far * Math.sin(angle)];

@@ -27,7 +27,7 @@ import { Fenders, geometryOf } from "./fenders";
 import type { Paint } from "./fittings";
 import { Glows } from "./glows";
 import { type Lamp, type LampColour, atAnchor, bearingFrom, isSeen, underWay } from "./lamps";
-import { cut, land } from "./land";
+import { MOST_TREES, cut, land } from "./land";
 import { type Sun, PALETTE_SUNS, density, lightOf } from "./light";
 import type { Look } from "./look";
 import { lampHeight, mark } from "./marks";
@@ -66,7 +66,7 @@ const IDLE_OFF_M = 14;
 const TOW_M = 45;
 
 export interface Options {
-  /** A software renderer smooths no edges and casts no shadows: it would draw too seldom. */
+  /** A software renderer smooths no edges, casts no shadows and has fewer trees: it would draw too seldom. */
   cheap: boolean;
 }
 
@@ -77,7 +77,7 @@ export class Picture {
   private readonly shared: Shared = { ...skyUniforms(), uLamps: { value: 0 } };
   private readonly direct = new DirectionalLight();
   private readonly ambient = new HemisphereLight();
-  private readonly sea = new Sea(this.shared);
+  private readonly sea: Sea;
   private readonly dome = sky(this.shared);
   private readonly ropes = new Ropes(this.shared, 64);
   private readonly glows = new Glows(this.shared, 1024);
@@ -95,13 +95,13 @@ export class Picture {
   private waves = components(null);
   private waveKey = "";
   private built = new Group();
-  private quayLamps: Triple[] = [];
 
   constructor(
     canvas: HTMLCanvasElement,
     private readonly live: Live,
     private readonly options: Options,
   ) {
+    this.sea = new Sea(this.shared, options.cheap ? 1 : 8);
     this.renderer = new WebGLRenderer({
       canvas,
       antialias: !options.cheap,
@@ -235,7 +235,13 @@ export class Picture {
       const on = bodies[i];
       return fixed && on ? [outline.map((at) => onEarth(on, at))] : [];
     });
-    const { meshes } = land(hello, fixed, this.origin, this.shared);
+    const { meshes } = land(
+      hello,
+      fixed,
+      this.origin,
+      this.shared,
+      this.options.cheap ? MOST_TREES / 4 : MOST_TREES,
+    );
     const marks = new Solids();
     for (const feature of hello.chart) {
       const at = feature.lines[0]?.[0];
@@ -286,7 +292,6 @@ export class Picture {
       mesh.castShadow = true;
       this.bodies[body]?.add(mesh);
     }
-    this.quayLamps = [];
   }
 
   /** Height of the deck of a body at a place above the water [m]. */
@@ -598,7 +603,6 @@ export class Picture {
     }
     if (this.isDark) {
       for (const feature of this.hello?.chart ?? []) this.chartLight(feature, t_s);
-      for (const [x, y, z] of this.quayLamps) this.glows.add(x, y, z, "amber", 0.8);
     }
     this.glows.end();
   }

@@ -57,7 +57,7 @@ function disc(): BufferGeometry {
 }
 
 /** Slopes of a patch of rippled water that repeats: a sum of waves of whole numbers of lengths over the patch. */
-export function ripples(side = 256): DataTexture {
+export function ripples(anisotropy: number, side = 256): DataTexture {
   const waves: [kx: number, ky: number, amplitude: number, phase: number][] = [];
   for (let i = 0; i < 56; i++) {
     const number = 5 + Math.floor(chance(i, 1) ** 1.4 * 32);
@@ -99,7 +99,7 @@ export function ripples(side = 256): DataTexture {
   texture.magFilter = LinearFilter;
   texture.minFilter = LinearMipmapLinearFilter;
   texture.generateMipmaps = true;
-  texture.anisotropy = 4;
+  texture.anisotropy = anisotropy;
   texture.needsUpdate = true;
   return texture;
 }
@@ -127,14 +127,15 @@ export class Sea {
   private readonly water = new Vector3();
   private readonly shapes = Array.from({ length: MOST_WAKES }, () => new Vector4());
 
-  constructor(sky: SkyUniforms) {
+  /** `anisotropy`: how many times ripples that are seen flat are looked up. */
+  constructor(sky: SkyUniforms, anisotropy: number) {
     this.material = new ShaderMaterial({
       uniforms: {
         ...(sky as unknown as Record<string, { value: unknown }>),
         uEye: { value: this.eye },
         uTime: { value: 0 },
         uWind: { value: this.wind },
-        uRipples: { value: ripples() },
+        uRipples: { value: ripples(anisotropy) },
         uWater: { value: this.water },
         uWaves: { value: this.waves },
         uFrequencies: { value: this.frequencies },
