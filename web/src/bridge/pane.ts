@@ -233,7 +233,7 @@ export class Pane {
           : ` (${side < 0 ? "P" : "S"} ${fixed(Math.abs(toDegrees(side)), 0)}°)`;
     setText(
       this.caption,
-      `${words.replace(/^./, (c) => c.toUpperCase())}${whose ? `, ${whose}` : ""}: ${heading(bearing_rad, 0)}${relative}, ${elevation_rad < 0 ? "down" : "up"} ${fixed(Math.abs(toDegrees(elevation_rad)), 0)}°, view ${fixed(toDegrees(view_rad), 0)}°`,
+      `${words.replace(/^./, (c) => c.toUpperCase())}${whose ? `, ${whose}` : ""}: ${heading(bearing_rad, 0)}${relative}, ${elevation_rad < 0 ? "down" : "up"} ${fixed(Math.abs(toDegrees(elevation_rad)), 0)}°, view ${fixed(toDegrees(view_rad), 0)}°${this.detail < 1 ? "; coarse, because this machine draws slowly" : ""}`,
     );
     setAttribute(
       this.canvas,
@@ -301,7 +301,6 @@ export class Pane {
     if (this.interval_ms < SLOW_MS) return;
     this.detail = Math.max(LEAST_DETAIL, this.detail * 0.75);
     this.interval_ms = SLOW_MS * 0.8;
-    this.around.say("This machine draws the view slowly: it is coarser now.");
   }
 
   // ------------------------------------------------------------------------------------------------------- input

@@ -290,7 +290,12 @@ function mooringDeck({ hull, length_m, beam_m }: Arrangement, to: Solids): void 
     }
   };
   for (const share of [0.02, 0.04, 0.25, 0.7, 0.93, 0.965]) bitts(share, 1.2);
-  const stations = Array.from({ length: 25 }, (_, i) => along(0.02 + (0.86 * i) / 24));
+  const stations = Array.from({ length: 25 }, (_, i) => along(0.001 + (0.88 * i) / 24));
+  const stern = ([-1, 1] as const).map((side): Spot => {
+    const [at, wide] = hull.side(hull.aft_m, hull.deck_m(hull.aft_m), side);
+    return [at + 0.12, wide, hull.deck_m(hull.aft_m)];
+  });
+  railing(to, stern);
   for (const side of [-1, 1] as const)
     railing(
       to,
