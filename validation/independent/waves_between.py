@@ -2,6 +2,7 @@
 
     python3 validation/independent/waves_between.py [CASE...]
     python3 validation/independent/waves_between.py --by-files [CASE...]
+    python3 validation/independent/waves_between.py --finer [CASE...]
 
 It needs what hydrodynamics/capytaine_hulls.py needs. For each file of hydrodynamics/ it draws five frequencies and five headings that are not
 in the file and that it resolves (seeded), runs Capytaine there, solves (−ω²(M + A) + iωB + C) ξ = F with 5 % of the critical damping in roll, and writes
@@ -12,6 +13,9 @@ With `--by-files` nothing is run or written. The equation is solved at the rows 
 between their frequencies and headings. For each file the worst vector error of a motion above 2 % of the wave is printed: what is left when the program's
 memory of the water has no part in it. For each frequency the smallest singular value of the equation is printed, in units of ω² times her mass with added
 mass at infinite frequency: to how much mass, restoring and damping cancel.
+
+With `--finer` nothing is written. The rows of the table are computed again with panels of about three quarters of the length, and compared with the table: how
+far the panel runs themselves are off, in each motion above 2 % of the wave.
 """
 
 import csv
@@ -145,6 +149,38 @@ def by_files(names):
         print(", ".join(f"{100 * value:.0f} % at {omega} rad/s" for omega, value in least.items()), flush=True)
 
 
+# Panels of the finer hulls: along, across and down; along and around half a section.
+FINER_BARGE, FINER_SHIP, FINER_SHIP_AT_WALL = (32, 14, 8), (48, 12), (36, 9)
+
+
+def finer_hull(loaded, name):
+    """The hull of a case with panels of about three quarters of the length."""
+    if name.startswith("barge"):
+        return lambda: loaded.box(80.0, 20.0, 5.0, FINER_BARGE)
+    counts = FINER_SHIP_AT_WALL if loaded.CASES[name]["wall"] else FINER_SHIP
+    return lambda: loaded.ship(285.0, 46.0, 9.0, loaded.SHIP_BLOCK, loaded.SHIP_WATERPLANE, counts)
+
+
+def finer(names):
+    """Prints by how much the panel runs change with finer panels."""
+    loaded = hulls()
+    rows = {(row[0], row[1], row[2]): row for row in list(csv.reader(TABLE.open(encoding="utf-8")))[1:]}
+    for name in names or loaded.CASES:
+        loaded.CASES[name] |= {"hull": finer_hull(loaded, name)}
+        arms = [1, 1, 1, 10, 40, 40] if name.startswith("barge") else [1, 1, 1, 23, 142.5, 142.5]
+        worst, count, above = (0.0, ""), 0, 0
+        for row in motions(loaded, name):
+            before = rows[row[0], row[1], row[2]]
+            changes = []
+            for k, arm in enumerate(arms):
+                was, now = (complex(float(of[3 + 2 * k]), float(of[4 + 2 * k])) for of in (before, row))
+                if abs(was) * arm > 0.02:
+                    changes.append((abs(now - was) / abs(was), f"{MOTIONS[k]}, {row[1]} rad/s, {row[2]}°"))
+            worst = max([worst, *changes])
+            count, above = count + 1, above + any(change > 0.02 for change, _ in changes)
+        print(f"{name}: with finer panels {above} of {count} rows change by more than 2 %, at most by {100 * worst[0]:.1f} % ({worst[1]})", flush=True)
+
+
 def panels(names):
     """Computes the rows of some cases, or of all, and keeps the others."""
     loaded = hulls()
@@ -164,5 +200,7 @@ def panels(names):
 if __name__ == "__main__":
     if sys.argv[1:2] == ["--by-files"]:
         by_files(sys.argv[2:])
+    elif sys.argv[1:2] == ["--finer"]:
+        finer(sys.argv[2:])
     else:
         panels(sys.argv[1:])

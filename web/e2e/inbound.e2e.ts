@@ -49,7 +49,7 @@ const read = (page: Page) =>
       speed: Number.parseFloat(text('[aria-label="Speed to keep"]')),
       along:
         Number.parseFloat(text('[aria-label="Speed along the berth"]')) *
-        (document.querySelector(".under section:last-child .way")?.textContent === "astern"
+        (document.querySelector(".under section:nth-child(2) .way")?.textContent === "astern"
           ? -1
           : 1),
       bow: end("Bow"),
@@ -201,12 +201,12 @@ test("two tugs take her to the quay, by the pilot's orders", async () => {
 });
 
 const BOLLARDS = {
-  head: "b11",
-  stern: "b1",
-  "fore breast": "b9",
-  "aft breast": "b3",
-  "fore spring": "b7",
-  "aft spring": "b5",
+  head: "b_11",
+  stern: "b_1",
+  "fore breast": "b_9",
+  "aft breast": "b_3",
+  "fore spring": "b_7",
+  "aft spring": "b_5",
 };
 
 test("she is made fast, the exercise is reached, and the report has the plan", async () => {

@@ -18,6 +18,7 @@ export interface Sample {
   bow_m: number | null;
   stern_m: number | null;
   cross_track_m: number | null;
+  under_keel_m: number | null;
   of_energy: number;
   of_reaction: number;
   tension: number;
@@ -25,14 +26,25 @@ export interface Sample {
   contact_mn: number;
 }
 
+/** The limit of the ship's exercise; without one, the clearance below which the server cautions. */
+function underKeelLimit({ exercise, vessels }: Hello, ship: number): number | null {
+  const own = vessels[ship];
+  const limits = exercise && exercise.ship === own?.name ? exercise.limits : [];
+  const limit = limits.find(({ key }) => key === "under_keel");
+  return limit?.bound ?? own?.under_keel_limit_m ?? null;
+}
+
 export class History {
   samples: Sample[] = [];
+  /** Least clearance below the keel that the ship may have [m]; `null`: she is no vessel. */
+  under_keel_limit_m: number | null = null;
 
   constructor(private readonly every_s = EVERY_S) {}
 
   /** `body`: that which the charts are about, the ship's if she is a vessel. */
   add(frame: Frame, hello: Hello, ship: number, of: number): void {
     const last = this.samples.at(-1);
+    this.under_keel_limit_m = underKeelLimit(hello, ship);
     // After a rewind later samples belong to another branch.
     if (last && frame.t_s < last.t_s) this.samples = this.samples.filter((s) => s.t_s < frame.t_s);
     if (last && frame.t_s >= last.t_s && frame.t_s - last.t_s < this.every_s - 1e-6) return;
@@ -50,6 +62,7 @@ export class History {
       bow_m: now?.berth?.bow_m ?? null,
       stern_m: now?.berth?.stern_m ?? null,
       cross_track_m: now?.plan && now.plan.to_waypoint_m >= 0 ? now.plan.cross_track_m : null,
+      under_keel_m: now?.under_keel_m ?? null,
       of_energy: Math.max(0, ...frame.fenders.map((f) => f.of_energy)) * 100,
       of_reaction: Math.max(0, ...frame.fenders.map((f) => f.of_reaction)) * 100,
       tension:
@@ -77,6 +90,7 @@ export class History {
       bow_m: at(past.bow_m, i),
       stern_m: at(past.stern_m, i),
       cross_track_m: at(past.cross_track_m, i),
+      under_keel_m: at(past.under_keel_m, i),
       of_energy: (past.of_energy[i] ?? 0) * 100,
       of_reaction: (past.of_reaction[i] ?? 0) * 100,
       tension: (past.of_working[i] ?? 0) * 100,

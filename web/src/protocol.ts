@@ -245,6 +245,8 @@ export type ExerciseInfo = {
   limits: Array<LimitInfo>;
   /** Where an anchor must lie; `None` if the goal asks for no place of an anchor. */
   place: PlaceInfo | null;
+  /** Name of the mark of the berth; `null` if the exercise has no mark. */
+  mark: string | null;
 };
 
 /** A place that a goal asks for, and the distance from this place that is still good enough. */
@@ -255,6 +257,8 @@ export type LimitInfo = {
   /** The quantity that the limit bounds, in words. */
   text: string;
   rule: string;
+  /** The value of the quantity beyond which points are lost (unit SI). */
+  bound: number;
   /** The largest number of points that the limit can cost. */
   points: number;
   /** True if the exercise is failed when the limit is exceeded. */
@@ -375,6 +379,8 @@ export type VesselInfo = {
   length_m: number;
   beam_m: number;
   draught_m: number;
+  /** Least under-keel clearance of the vessel without a caution (m). */
+  under_keel_limit_m: number;
   /** Largest angle of the rudder (rad); `null` if the vessel has no rudder. */
   rudder_stop_rad: number | null;
   full_rps: number | null;
@@ -829,6 +835,11 @@ export type ExerciseNow = {
   held_s: number;
   /** The conditions of the goal, in the order of `ExerciseInfo.goal`. */
   conditions: Array<ConditionNow>;
+  /**
+   * Distance along the berth that the ship has to go ahead to the mark of the berth (m), negative astern; `null` if the
+   * exercise has no mark.
+   */
+  to_go_m: number | null;
 };
 
 export type ConditionNow = { met: boolean; now: string };
@@ -871,6 +882,8 @@ export type Past = {
   stern_m: Array<number | null>;
   /** Distance from the track of the vessel's passage plan, positive to starboard of the track (m). */
   cross_track_m: Array<number | null>;
+  /** Least under-keel clearance, squat included (m); `null` in deep water. */
+  under_keel_m: Array<number | null>;
   /** Largest energy of any fender as a share of its rated energy. */
   of_energy: Array<number>;
   of_reaction: Array<number>;

@@ -15,7 +15,7 @@ const frame = (t_s: number, branch = 0) =>
     lines: [],
     contacts: [],
   }) as unknown as Frame;
-const hello = { lines: [] } as unknown as Hello;
+const hello = { exercise: null, vessels: [], lines: [] } as unknown as Hello;
 
 /** A past from one second to another. */
 function past(from_s: number, till_s: number): Past {
@@ -32,6 +32,7 @@ function past(from_s: number, till_s: number): Past {
     bow_m: all(5),
     stern_m: all(6),
     cross_track_m: all(-4),
+    under_keel_m: all(2.5),
     of_energy: all(0.25),
     of_reaction: all(0),
     of_working: all(0),
@@ -49,10 +50,28 @@ test("what the server kept comes before the page's own values, each time once", 
   expect(history.samples[0]).toMatchObject({
     bow_mps: null,
     bow_m: 5,
+    under_keel_m: 2.5,
     of_energy: 25,
     contact_mn: 2,
   });
   expect(history.samples[0]?.ahead_kn).toBeCloseTo(1, 3);
+});
+
+test("the clearance under the keel has the limit of her exercise, or that of the cautions", () => {
+  const history = new History();
+  const vessels = [
+    { name: "ship", under_keel_limit_m: 1.05 },
+    { name: "tug", under_keel_limit_m: 0.5 },
+  ];
+  const limits = [{ key: "under_keel", bound: 2 }];
+  const limitOf = (ship: number, exercise: unknown) => {
+    history.add(frame(0), { exercise, vessels, lines: [] } as unknown as Hello, ship, 0);
+    return history.under_keel_limit_m;
+  };
+  expect(limitOf(0, null)).toBe(1.05);
+  expect(limitOf(0, { ship: "ship", limits })).toBe(2);
+  expect(limitOf(1, { ship: "ship", limits })).toBe(0.5);
+  expect(limitOf(2, null)).toBeNull();
 });
 
 test("the past is asked for after the first frame, a jump, and another branch; not while frames follow each other", async () => {

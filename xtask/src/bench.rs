@@ -7,7 +7,7 @@ use crate::command::{cargo, run};
 use crate::step::Done;
 use crate::tools;
 
-const BENCHES: [&str; 15] = [
+const BENCHES: [&str; 16] = [
     "clip",
     "step",
     "islands",
@@ -22,6 +22,7 @@ const BENCHES: [&str; 15] = [
     "fleet",
     "many",
     "campaign",
+    "passage",
     "callgrind",
 ];
 
@@ -42,7 +43,8 @@ pub(crate) fn bench(names: &[&str]) -> ExitCode {
             continue;
         }
         let bench: &[&str] = match name {
-            // An example of the crate that it measures.
+            // Examples of crates with few dependencies, which are soon built.
+            "passage" => &["--package", "fenderline-embed", "--example", "passage"],
             "border" => &["--package", "fenderline-capi", "--example", "cost"],
             "step" => match tools::c_peers() {
                 Ok(()) => &["--package", "fenderline-bench", "--features", "peers", "--", name],

@@ -107,22 +107,64 @@ impl Example {
     ];
 }
 
-impl ValueEnum for Example {
-    fn value_variants<'a>() -> &'a [Example] {
-        &Example::ALL
+/// What `init` writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Start {
+    Example(Example),
+    /// A scenario at a berth of the user's chart.
+    Harbour,
+}
+
+impl ValueEnum for Start {
+    fn value_variants<'a>() -> &'a [Start] {
+        const ALL: [Start; 7] = [
+            Start::Example(Example::ALL[0]),
+            Start::Example(Example::ALL[1]),
+            Start::Example(Example::ALL[2]),
+            Start::Example(Example::ALL[3]),
+            Start::Example(Example::ALL[4]),
+            Start::Example(Example::ALL[5]),
+            Start::Harbour,
+        ];
+        &ALL
     }
 
     fn to_possible_value(&self) -> Option<PossibleValue> {
-        let [name, what, _] = self.parts();
-        Some(PossibleValue::new(name).help(what))
+        match self {
+            Start::Example(example) => {
+                let [name, what, _] = example.parts();
+                Some(PossibleValue::new(name).help(what))
+            }
+            Start::Harbour => Some(
+                PossibleValue::new("harbour")
+                    .help("a berth of your chart, with --chart and --berth"),
+            ),
+        }
     }
 }
 
 #[derive(Debug, Args)]
 pub(crate) struct InitArgs {
-    /// Example
-    #[arg(value_enum, value_name = "EXAMPLE", default_value_t = Example::Berthing)]
-    pub(crate) example: Example,
+    /// Example, or `harbour`
+    #[arg(value_enum, value_name = "EXAMPLE", default_value_t = Start::Example(Example::Berthing))]
+    pub(crate) start: Start,
+    /// Folder of a chart that `python -m fenderline.charts` has converted
+    #[arg(long, value_name = "DIR", required_if_eq("start", "harbour"))]
+    pub(crate) chart: Option<PathBuf>,
+    /// Name of a quay line of the chart, or latitude and longitude of both ends of the berth in degrees
+    #[arg(
+        long,
+        value_name = "NAME|LAT,LON,LAT,LON",
+        allow_hyphen_values = true,
+        required_if_eq("start", "harbour")
+    )]
+    pub(crate) berth: Option<String>,
+    /// Side of the water, seen along the berth, where the chart does not tell
+    #[arg(long, value_name = "SIDE", value_parser = ["left", "right"], requires = "berth")]
+    pub(crate) water: Option<String>,
+    /// Ship of the vessel library [default: the longest that fits the berth]
+    #[arg(long, value_name = "VESSEL", requires = "berth")]
+    pub(crate) vessel: Option<String>,
     /// New file to write; an existing file is not replaced [default: print the example]
     #[arg(short, long, value_name = "SCENARIO.toml", value_parser = output_file())]
     pub(crate) out: Option<PathBuf>,

@@ -215,6 +215,37 @@ fn an_example_is_a_good_scenario_and_replaces_no_file() {
     assert_eq!(place.run(&["init", "berthng"]).code, 2);
 }
 
+/// The made-up harbour as a converted chart: the berth on its quay line is a good scenario.
+#[test]
+fn a_harbour_on_a_chart_is_a_good_scenario() {
+    let place = Workplace::new("init-harbour");
+    let bare = "[chart]\nfiles = [\"bend.geojson\"]\ncoordinates = \"metres\"\n";
+    place.write("chart.toml", bare.as_bytes());
+    let chart = include_bytes!("../../../scenarios/harbours/bend.geojson");
+    place.write("bend.geojson", chart);
+    let of = |berth: &str| place.run(&["init", "harbour", "--chart", ".", "--berth", berth]);
+    let out = ["init", "harbour", "--chart", ".", "--berth", "Long Quay", "-o", "call.toml"];
+    let written = place.run(&out);
+    assert_eq!(written.code, 0, "{}", written.stderr);
+    let check = place.run(&["check", "call.toml"]);
+    assert_eq!(check.code, 0, "{}", check.stderr);
+    contains_all(
+        &place.text("call.toml"),
+        &["quay_line = { name = \"Long Quay\" }", "[body.ship]"],
+    );
+    for (berth, why) in [
+        ("Lang Quay", "the chart has \"Long Quay\""),
+        ("500,1300,500", "four numbers"),
+        ("500,1300,300,1700", "no such line within 25 m"),
+    ] {
+        let refused = of(berth);
+        assert_eq!(refused.code, 2, "{berth}");
+        contains_all(&refused.stderr, &[why]);
+    }
+    assert_eq!(place.run(&["init", "harbour"]).code, 2);
+    assert_eq!(place.run(&["init", "tugs", "--chart", ".", "--berth", "a"]).code, 2);
+}
+
 #[test]
 fn completions_and_manual_pages_know_every_command() {
     let place = Workplace::new("man");

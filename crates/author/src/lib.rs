@@ -3,6 +3,7 @@
 
 mod fit;
 mod new_exercise;
+mod new_harbour;
 mod rewrite;
 
 pub use fit::{
@@ -12,4 +13,5 @@ pub use new_exercise::{
     BerthSource, BerthingSide, NewBerth, NewExercise, NewExerciseError, NewShip, NewTugs,
     NewWeather, berth_words, can_be_ship, can_be_tug, fixed_berth,
 };
+pub use new_harbour::{NewHarbour, NewHarbourError};
 pub use rewrite::{Edit, rewritten};

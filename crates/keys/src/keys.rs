@@ -32,6 +32,7 @@ pub mod passing;
 pub mod plan;
 pub mod provider;
 pub mod quantities;
+pub mod quay_line;
 pub mod report;
 pub mod run;
 pub mod standing;
@@ -212,6 +213,13 @@ table_keys! {
             Kind::Named(&mooring::BOLLARD),
             Is("{}"),
             "Bollards on which orders put mooring lines, by name.",
+            &[],
+        ),
+        BOLLARD_ROW: NamedOf<quay_line::BollardRowKey> = key(
+            "bollard_row",
+            Kind::Named(&quay_line::BOLLARD_ROW),
+            Is("{}"),
+            "Rows of equal bollards, by name.",
             &[],
         ),
         LINE_HANDLING: TableOf<mooring::LineHandlingKey> = key(

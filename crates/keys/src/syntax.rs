@@ -15,7 +15,8 @@ pub fn parse<'a>(sources: &Sources<'a>) -> Result<DeTable<'a>, ScenarioError> {
     let bytes = sources.text.len();
     if bytes > LARGEST_FILE {
         let message = format!(
-            "the file has {bytes} bytes, but a scenario may have at most {LARGEST_FILE} bytes"
+            "the file has {bytes} bytes, but a scenario may have at most {} MiB",
+            LARGEST_FILE >> 20
         );
         return Err(sources.file_error(message));
     }

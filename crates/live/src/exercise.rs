@@ -1,7 +1,7 @@
 //! The exercise of a session, as pages of the browser get it.
 
-use fenderline_sim::Setup;
 use fenderline_sim::exercise::{AnchorPlace, Assessment, Condition, Deduction, State};
+use fenderline_sim::{Setup, Simulation};
 
 use crate::message::{
     ConditionNow, ExerciseInfo, ExerciseMarks, ExerciseNow, LimitInfo, LimitNow, PlaceInfo,
@@ -24,6 +24,7 @@ pub(crate) fn info(exercise: &Assessment, setup: &Setup) -> ExerciseInfo {
         key: limit.measure.key(),
         text: limit.measure.text(),
         rule: limit.words(),
+        bound: limit.bound,
         points: limit.points,
         fails: limit.fails,
     });
@@ -41,11 +42,16 @@ pub(crate) fn info(exercise: &Assessment, setup: &Setup) -> ExerciseInfo {
             }),
             _ => None,
         }),
+        mark: of.mark.as_ref().map(|mark| match mark.name.as_str() {
+            "" => "mark".to_owned(),
+            name => name.to_owned(),
+        }),
     }
 }
 
 /// The present state of an exercise that everybody sees.
-pub(crate) fn now(exercise: &Assessment, t_s: f64) -> ExerciseNow {
+pub(crate) fn now(exercise: &Assessment, simulation: &Simulation) -> ExerciseNow {
+    let t_s = simulation.time_s();
     let conditions = exercise.conditions().iter();
     ExerciseNow {
         state: exercise.state().word(),
@@ -54,6 +60,7 @@ pub(crate) fn now(exercise: &Assessment, t_s: f64) -> ExerciseNow {
         conditions: conditions
             .map(|of| ConditionNow { met: of.is_met, now: of.now.clone() })
             .collect(),
+        to_go_m: exercise.to_go_m(simulation),
     }
 }
 

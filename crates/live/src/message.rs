@@ -120,6 +120,8 @@ pub struct ExerciseInfo {
     pub limits: Vec<LimitInfo>,
     /// Where an anchor must lie; `None` if the goal asks for no place of an anchor.
     pub place: Option<PlaceInfo>,
+    /// Name of the mark of the berth; `null` if the exercise has no mark.
+    pub mark: Option<String>,
 }
 
 /// A place that a goal asks for, and the distance from this place that is still good enough.
@@ -137,6 +139,8 @@ pub struct LimitInfo {
     /// The quantity that the limit bounds, in words.
     pub text: &'static str,
     pub rule: String,
+    /// The value of the quantity beyond which points are lost (unit SI).
+    pub bound: f64,
     /// The largest number of points that the limit can cost.
     pub points: f64,
     /// True if the exercise is failed when the limit is exceeded.
@@ -306,6 +310,8 @@ pub struct VesselInfo {
     pub length_m: f64,
     pub beam_m: f64,
     pub draught_m: f64,
+    /// Least under-keel clearance of the vessel without a caution (m).
+    pub under_keel_limit_m: f64,
     /// Largest angle of the rudder (rad); `null` if the vessel has no rudder.
     pub rudder_stop_rad: Option<f64>,
     pub full_rps: Option<f64>,
@@ -542,6 +548,9 @@ pub struct ExerciseNow {
     pub held_s: f64,
     /// The conditions of the goal, in the order of `ExerciseInfo.goal`.
     pub conditions: Vec<ConditionNow>,
+    /// Distance along the berth that the ship has to go ahead to the mark of the berth (m), negative astern; `null` if the
+    /// exercise has no mark.
+    pub to_go_m: Option<f64>,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -943,6 +952,8 @@ pub struct History {
     pub stern_m: Vec<Option<f64>>,
     /// Distance from the track of the vessel's passage plan, positive to starboard of the track (m).
     pub cross_track_m: Vec<Option<f64>>,
+    /// Least under-keel clearance, squat included (m); `null` in deep water.
+    pub under_keel_m: Vec<Option<f64>>,
     /// Largest energy of any fender as a share of its rated energy.
     pub of_energy: Vec<f64>,
     pub of_reaction: Vec<f64>,

@@ -49,6 +49,7 @@ pub(crate) struct ShipSample {
     pub(crate) bow_m: Option<f64>,
     pub(crate) stern_m: Option<f64>,
     pub(crate) cross_track_m: Option<f64>,
+    pub(crate) under_keel_m: Option<f64>,
 }
 
 impl Sample {
@@ -196,6 +197,7 @@ impl Past {
             history.bow_m.push(of.bow_m.map(short));
             history.stern_m.push(of.stern_m.map(short));
             history.cross_track_m.push(of.cross_track_m.map(short));
+            history.under_keel_m.push(of.under_keel_m.map(short));
             history.of_energy.push(short(sample.of_energy));
             history.of_reaction.push(short(sample.of_reaction));
             history.of_working.push(short(sample.of_working));
@@ -233,6 +235,7 @@ mod tests {
             bow_m: None,
             stern_m: None,
             cross_track_m: None,
+            under_keel_m: None,
         };
         Sample {
             t_s,

@@ -10,6 +10,36 @@ fn seen(session: &Session, role: &Role) -> Frame {
     session.in_fog(&all, role).unwrap_or(all)
 }
 
+/// The alarms about bridges and cables.
+fn overhead(session: &Session) -> Vec<String> {
+    let alarms = session.frame(0, RunState::default()).alarms.into_iter();
+    alarms.filter(|alarm| alarm.key == "overhead ship").map(|alarm| alarm.text).collect()
+}
+
+#[test]
+fn a_bridge_that_is_too_low_raises_an_alarm_ahead_of_the_ship_and_under_it() {
+    let mut session = support::under_bridge();
+    support::go(&mut session, 1);
+    let ahead = overhead(&session);
+    assert_eq!(ahead.len(), 1);
+    let says = "ship: the bridge \"High Bridge\" ahead in ";
+    assert!(ahead[0].starts_with(says) && ahead[0].ends_with(" s is 1.0 m too low"), "{ahead:?}");
+    let mut steps = 0;
+    while overhead(&session) != ["ship: 1.0 m too high for the bridge \"High Bridge\""]
+        && steps < 3000
+    {
+        support::go(&mut session, 10);
+        steps += 10;
+    }
+    // 350 m at 3 m/s, less half a ship.
+    assert!((700..1500).contains(&steps), "{steps}");
+    while !overhead(&session).is_empty() && steps < 3000 {
+        support::go(&mut session, 10);
+        steps += 10;
+    }
+    assert!(steps < 2500, "the alarm ends behind the bridge: {steps}");
+}
+
 fn plan(session: &Session, role: &Role) -> PlanNow {
     seen(session, role).vessels[0].plan.expect("a plan")
 }

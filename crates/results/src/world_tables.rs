@@ -63,7 +63,8 @@ impl<M: Medium> WorldTables<M> {
         if let Some(table) = &mut self.vessels {
             for (index, vessel) in self.setup.vessels.iter().enumerate() {
                 let state = &step.states[vessel.body];
-                let (now, forces) = (&step.vessels[index], &step.vessel_forces[index]);
+                let forces = &step.vessel_forces[index];
+                let now = (&step.vessels[index], &step.soundings[index]);
                 let of = (vessel, environment);
                 table.push(
                     interval,

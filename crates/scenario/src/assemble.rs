@@ -31,6 +31,7 @@ mod materials;
 mod mooring;
 mod orders;
 mod output;
+mod overhead;
 mod pairs;
 mod panel;
 mod particulars;
@@ -72,6 +73,7 @@ use fenderline_sim::environment::current::Current;
 use fenderline_sim::environment::wind::{ShipWindage, Wind};
 use fenderline_sim::exercise::ExerciseSetup;
 use fenderline_sim::hydro::Particulars;
+use fenderline_sim::overhead::OverheadSetup;
 use fenderline_sim::{Integrator, Order, OutputPlan, Setup, WorldSetup};
 use std::borrow::Cow;
 
@@ -148,7 +150,10 @@ pub(crate) fn setup(
         assembly.pair_with_shore(table, &bodies, &names, &mut pairs)?;
     }
     let loads = assembly.loads(file.given(ScenarioKey::LOAD).list(), &bodies, &names)?;
-    let all_fenders = assembly.fender_tables(file, &bodies, &names)?;
+    let all_fenders = {
+        let of_chart = rows::ChartOf { chart: &chart, table: chart_table };
+        assembly.fender_tables(file, &bodies, of_chart, &names)?
+    };
     let fender_tables = Tables::from(all_fenders.as_slice());
     let parts = FenderParts {
         library: &libraries.fenders,
@@ -184,7 +189,12 @@ pub(crate) fn setup(
         &environment,
         &names,
     )?;
-    let bollards = assembly.bollards(file.given(ScenarioKey::BOLLARD).named(), &names)?;
+    let bollards = assembly.all_bollards(
+        (file.given(ScenarioKey::BOLLARD).named(), file.given(ScenarioKey::BOLLARD_ROW).named()),
+        &bodies,
+        rows::ChartOf { chart: &chart, table: chart_table },
+        &names,
+    )?;
     let line_handling = assembly.line_handling(file.given(ScenarioKey::LINE_HANDLING).table())?;
     let providers =
         assembly.providers(file.given(ScenarioKey::PROVIDER).list(), &bodies, &names)?;
@@ -229,9 +239,11 @@ pub(crate) fn setup(
             statistics,
             providers,
             chart,
+            overhead: OverheadSetup::default(),
             factors,
         },
     };
+    setup.world.overhead = assembly.overhead(file, &setup)?;
     assembly.note_outside_hulls(fender_tables, &setup);
     assembly.check_passing(file, &setup)?;
     assembly.plans(file.given(ScenarioKey::PLAN).named(), &mut setup, &names)?;

@@ -9,8 +9,10 @@ use fenderline_keys::bounded_file::{read_stream_of, read_text_of};
 use fenderline_keys::error::ScenarioError;
 use fenderline_keys::overrides::Override;
 
-/// Size of the largest file that the program reads (bytes).
-const LARGEST_FILE: u64 = 16 << 20;
+/// Size of the largest file that the program reads (bytes): a survey of 4 million values has some 28 MB.
+const LARGEST_FILE: u64 = 64 << 20;
+/// Size of the largest text that the program reads from a stream (bytes).
+const LARGEST_STREAM: u64 = 16 << 20;
 
 /// The error for a scenario that could not be loaded.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -66,7 +68,7 @@ impl Scenario {
     }
 }
 
-/// Reads the text of a regular file of at most 16 MiB.
+/// Reads the text of a regular file of at most 64 MiB.
 ///
 /// # Errors
 /// Returns a text with the file's name and the reason why the file cannot be read.
@@ -80,5 +82,5 @@ pub fn read_text(path: &Path) -> Result<String, String> {
 /// # Errors
 /// Returns a text with the stream's name and the reason why the stream cannot be read.
 pub fn read_stream(stream: impl Read, name: &str) -> Result<String, String> {
-    read_stream_of(stream, name, LARGEST_FILE).map_err(|error| error.to_string())
+    read_stream_of(stream, name, LARGEST_STREAM).map_err(|error| error.to_string())
 }

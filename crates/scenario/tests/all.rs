@@ -4,6 +4,7 @@
 #![recursion_limit = "256"]
 
 mod adrift;
+mod air_draught;
 mod all_but_stopped;
 mod anchors;
 mod any_text;
@@ -35,7 +36,10 @@ mod hydrodynamic_data;
 mod independent_coupled_method;
 mod independent_paper_method;
 mod limits;
+mod long_passage;
 mod long_waves;
+#[path = "support/long_passage.rs"]
+mod made_up_passage;
 mod moored_in_waves;
 mod mooring_operations;
 mod new_exercise;
@@ -47,6 +51,7 @@ mod passing;
 mod plan;
 mod plausible;
 mod points_of_attack;
+mod quay_line;
 mod rows;
 mod schema;
 mod seakeeping;

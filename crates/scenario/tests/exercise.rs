@@ -159,8 +159,13 @@ fn a_goal_or_limit_that_cannot_be_is_refused_with_its_key() {
 
 #[test]
 fn a_limit_that_nothing_can_exceed_gets_a_notice() {
-    let scenario = scenario(&["exercise.limit.clearance={ least = 5, points = 1 }"]);
+    let scenario = scenario(&[
+        "exercise.limit.clearance={ least = 5, points = 1 }",
+        "exercise.limit.cross_track={ most = 5, points = 1 }",
+    ]);
     let notices = scenario.expect("a scenario").notices;
+    let about = notices.iter().find(|notice| notice.key == "exercise.limit.cross_track");
+    assert!(about.expect("a notice").message.contains("no passage plan"));
     let about = notices.iter().find(|notice| notice.key == "exercise.limit.clearance");
     assert!(about.expect("a notice").message.contains("no fixed body but the berth"));
 }
@@ -175,4 +180,54 @@ fn an_exercise_changes_no_bit_of_the_run() {
         without.step().expect("a step");
     }
     assert_eq!(with.states(), without.states());
+}
+
+#[test]
+fn the_cross_track_distance_counts_between_the_waypoints() {
+    // Her midship is 11 m to port of the track, which goes north at 13.9 m west of the quay.
+    let mut set = at(8.0, 0.0, 0.0, 0.0);
+    set.push("exercise.limit.cross_track={ most = 1, worst = 21, points = 20 }".into());
+    let set: Vec<Override> = set.iter().map(|s| Override::parse(s).expect("an override")).collect();
+    let marked = |from_m: f64, to_m: f64| {
+        let plan = format!(
+            "{BERTHING}\n[plan.on]\nvessel = \"ship\"\n[[plan.on.waypoint]]\nposition = [{from_m}, -13.9]\n\
+             [[plan.on.waypoint]]\nposition = [{to_m}, -13.9]\n"
+        );
+        let scenario = Scenario::parse_with(&plan, "berthing.toml", &set).expect("a scenario");
+        let mut simulation = Simulation::new(scenario.setup).expect("a set-up");
+        let mut assessment = Assessment::new(scenario.exercise.unwrap(), &simulation);
+        steps(&mut simulation, &mut assessment, 1);
+        assessment
+    };
+    let assessment = marked(-300.0, 300.0);
+    let (off_m, whose, _) = worst(&assessment, Measure::CrossTrack).expect("on a leg");
+    assert!((off_m - 11.0).abs() < 1e-3 && whose == Subject::Ship, "{off_m} {whose:?}");
+    let cost = assessment.deductions().find(|of| of.limit.measure == Measure::CrossTrack);
+    assert!((cost.expect("it is exceeded").points - 10.0).abs() < 1e-2);
+    assert_eq!(worst(&marked(-900.0, -300.0), Measure::CrossTrack), None, "the plan is over");
+    assert_eq!(worst(&marked(300.0, 900.0), Measure::CrossTrack), None, "the plan has not begun");
+}
+
+#[test]
+fn the_way_to_go_to_the_mark_of_the_berth_is_positive_ahead() {
+    let to_go_m = |heading_deg: f64, mark: &str| {
+        let mut set = at(40.0, heading_deg, 0.0, 0.0);
+        set.extend([mark.to_owned(), "body.ship.position=[-30, -56.9]".to_owned()]);
+        // The tugs stay where they are when she heads south.
+        set.extend(["forward", "after"].map(|tow| format!("line.{tow}_tow.length=300")));
+        let set: Vec<&str> = set.iter().map(String::as_str).collect();
+        let (simulation, assessment) = begun(&set);
+        assessment.to_go_m(&simulation)
+    };
+    let of_ship = "exercise.mark={ at = [20, 1.5], of_ship = 10 }";
+    // 10 m forward of her origin she is at 20 m south of the quay's middle; the mark is at 20 m north of it.
+    assert!((to_go_m(0.0, of_ship).unwrap() - 40.0).abs() < 1e-9);
+    // Heading south she has to go 60 m astern.
+    assert!((to_go_m(180.0, of_ship).unwrap() + 60.0).abs() < 1e-9);
+    // Her bow is 92 m forward of her origin.
+    assert!((to_go_m(0.0, "exercise.mark={ at = [20, 1.5] }").unwrap() + 42.0).abs() < 1e-9);
+    // At 10 degrees to the berth: along the berth.
+    let cosine = libm::cos(10_f64.to_radians());
+    assert!((to_go_m(10.0, of_ship).unwrap() - (50.0 - 10.0 * cosine)).abs() < 1e-9);
+    assert_eq!(to_go_m(0.0, "exercise.hold=1"), None);
 }

@@ -310,7 +310,7 @@ fn mistakes_in_rows_name_row_key_and_line() {
     bad("\"20 m\"", "\"2 m\"", ".width", "overlap at a spacing of 2 m");
     bad("[-70, 0]", "[-70, 4]", ".first", "not on the outline");
     bad("[-70, 0]", "[-100, 0]", ".first", "is a corner");
-    bad("first = [-70, 0]\n", "", ".first", "or give a `wall` or `dolphins`");
+    bad("first = [-70, 0]\n", "", ".first", "or give a `wall`, a `quay_line` or `dolphins`");
     bad("on = \"quay\"\n", "", ".on", "name the body");
     bad("on = \"quay\"", "on = \"kway\"", ".on", "no body \"kway\"");
     bad("[-70, 0]", "[-70, 0]\nfacing = \"90 deg\"", ".facing", "faces into \"quay\"");

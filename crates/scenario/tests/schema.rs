@@ -238,6 +238,37 @@ fn fulls() -> Vec<Json> {
         { "position": [0, "3 km"], "turning_radius": "600 m", "speed": "6 kn", "half_width": "60 m" },
         { "name": "Quay", "position": ["2 km", "4 km"] }
     ] } });
+    let square = json!([[-5, -5], [5, -5], [5, 5], [-5, 5]]);
+    let quay_line = json!({
+        "class": "SLCONS", "name": "Long Quay", "from": [500, 1700], "to": [500, 1300], "water": "left"
+    });
+    let along_the_chart = json!({
+        "time": { "step": "0.1 s", "duration": 10 },
+        "material": { "m": { "stiffness": "5 MN/m^2" } },
+        "chart": {
+            "files": ["quay.geojson"], "coordinates": "metres", "solid": ["LNDARE"], "solid_material": "m"
+        },
+        "body": {
+            "barge": { "outline": square, "mass": 1000, "gyradius": 3 },
+            "quay": {
+                "fixed": true, "outline": [[-100, 0], [100, 0], [100, 9], [-100, 9]], "position": [0, 300]
+            }
+        },
+        "fender_row": { "f": {
+            "on": "shore", "quay_line": quay_line, "spacing": "20 m", "number": 3, "from_corner": "5 m",
+            "width": "2 m", "type": "cone", "height": "1.2 m", "material": "m"
+        } },
+        "bollard_row": {
+            "along": {
+                "on": "shore", "quay_line": quay_line, "spacing": "20 m", "number": 3, "from_corner": "5 m",
+                "behind": "2 m", "height": "4 m", "lines": 2
+            },
+            "of a wall": {
+                "on": "quay", "wall": [[-100, 0], [100, 0]], "spacing": "20 m", "number": 3
+            },
+            "of ends": { "on": "quay", "first": [-60, 1], "last": [60, 1], "number": 3 }
+        }
+    });
     let mut anchored = full();
     anchored["exercise"] = exercise_at_anchor();
     vec![
@@ -253,6 +284,7 @@ fn fulls() -> Vec<Json> {
         on_shore,
         on_bottom,
         planned,
+        along_the_chart,
         anchored,
     ]
 }
@@ -264,6 +296,7 @@ fn pile() -> Json {
 fn exercise() -> Json {
     json!({
         "task": "make her fast", "vessel": "d", "goal": "all_fast", "berth": "long quay",
+        "mark": { "name": "Bow at bollard 9", "at": [1.5, "75 m"], "of_ship": "-12 m" },
         "lines": ["spring", "breast"], "at_least": 1, "least_tension": "10 kN", "most_tension": "400 kN",
         "distance": "0.4 m", "rest_speed": "0.1 kn", "hold": 20, "time_limit": "1 h", "pass_mark": 70,
         "limit": {
@@ -275,6 +308,7 @@ fn exercise() -> Json {
             "line": { "most": "50 %", "worst": 1, "points": 20, "fails": false },
             "clearance": { "least": 2, "worst": 1, "points": 20, "fails": false },
             "under_keel": { "least": 2, "worst": 1, "points": 20, "fails": false },
+            "cross_track": { "most": "30 m", "worst": "60 m", "points": 20, "fails": false },
             "touch": { "points": 50, "fails": true },
             "time": { "most": "30 min", "worst": "1 h", "points": 20, "fails": false }
         }
@@ -387,6 +421,13 @@ fn file_named(name: &str) -> Result<String, String> {
         "tide.csv" => "t_s,level_m\n0,1\n3600,-0.5\n",
         "long_waves.csv" => "t_s,level_m,north_mps,east_mps\n0,0,0,0\n10,0.1,0.2,0\n",
         "wind.csv" => "t_s,speed_mps,from_deg\n0,10,350\n600,12,10\n",
+        "quay.geojson" => {
+            r#"{ "type": "FeatureCollection", "features": [{ "type": "Feature",
+                "properties": { "OBJL": 71 }, "geometry": { "type": "Polygon",
+                "coordinates": [[[1000, 500], [2000, 500], [2000, 900], [1000, 500]]] } }, { "type": "Feature",
+                "properties": { "OBJL": 122, "OBJNAM": "Long Quay" }, "geometry": { "type": "LineString",
+                "coordinates": [[1300, 500], [1700, 500]] } }] }"#
+        }
         "harbour.geojson" => {
             r#"{ "type": "FeatureCollection", "features": [{ "type": "Feature",
                 "properties": { "kind": "quay", "name": "quay 3" }, "geometry": { "type": "Polygon",
@@ -440,7 +481,7 @@ fn full() -> Json {
             "on a pile": { "outline": square, "position": [0, 2500], "dolphin": pile() },
             "on a tube": { "outline": square, "position": [0, 2600], "dolphin": tubes() },
             "c": { "fixed": false, "outline": square, "mass": 1000, "yaw_inertia": "1e6 kg.m^2" },
-            "d": { "outline": square, "vessel": "box ship", "position": [500, 0], "running": 0.25 },
+            "d": { "outline": square, "vessel": "box ship", "position": [500, 0], "running": 0.25, "air_draught": "38 m" },
             "e": { "outline": square, "vessel": "tanker", "position": [900, 0] },
             "f": { "vessel": "container-ship", "position": [0, 900] },
             "g": { "vessel": "asd-tug", "position": [0, 1500] },
@@ -451,6 +492,7 @@ fn full() -> Json {
         },
         "chart": {
             "files": ["harbour.geojson"], "coordinates": "longitude_latitude", "projection": "utm",
+            "clearance_datum": "3.2 m",
             "origin": { "latitude": "54 deg", "longitude": 0.125 }
         },
         "environment": {

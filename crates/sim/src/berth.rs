@@ -137,6 +137,24 @@ impl Berth {
         }
     }
 
+    /// Distance along the berth that a ship has to go ahead until a place on her axis, forward of her origin (m), is abeam of
+    /// a mark of the berth; negative if the ship has to go astern. The mark is in the frame of the body that carries the
+    /// berth (m), and `on` is the state of this body.
+    #[must_use]
+    pub fn to_go_m(
+        &self,
+        on: &BodyState,
+        state: &BodyState,
+        (mark_m, of_ship_m): (Vec2, f64),
+    ) -> f64 {
+        let quay = Rotation::from_angle(on.heading_rad);
+        let ahead = Rotation::from_angle(state.heading_rad).apply(vec2(1.0, 0.0));
+        let along = quay.apply(self.facing.quarter_turn());
+        let along = if along.dot(ahead) < 0.0 { along * -1.0 } else { along };
+        let mark_m = on.position_m + quay.apply(mark_m);
+        (mark_m - (state.position_m + ahead * of_ship_m)).dot(along)
+    }
+
     /// Returns true if an end of the ship (0 for the bow) is past the last fender by more than the distance between
     /// fenders: the line through the fenders has no fender there. At dolphins a ship's ends are usually past the last
     /// dolphin, but by less. With a single fender both ends of a ship are past the fender; the result is then true if

@@ -235,6 +235,6 @@ pub use fenderline_world::world::{
     VesselForces, VesselOrders, VesselSetup, VesselState, Walls, WorldEvent, WorldEventKind,
     WorldSetup, mass_matrix,
 };
-pub use fenderline_world::{change, chart, external, factors, order};
+pub use fenderline_world::{change, chart, external, factors, order, overhead};
 pub use output_plan::{OutputPlan, OutputTable};
 pub use simulation::Simulation;

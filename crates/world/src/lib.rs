@@ -44,6 +44,7 @@ pub mod mean_velocity;
 pub mod model;
 pub mod named;
 pub mod order;
+pub mod overhead;
 pub mod panel;
 pub mod record;
 pub mod rigid_body;

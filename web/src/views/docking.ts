@@ -112,6 +112,36 @@ export class Docking implements View {
     "–",
   );
   private readonly alongWay = h("span", { class: "way" });
+  private readonly toGo = h("output", { class: "digits", "aria-label": "To go to the mark" }, "–");
+  private readonly toGoUnit = h("span", { class: "unit" }, "m");
+  private readonly toGoWay = h("span", { class: "way" });
+  private readonly toGoName = h("h3", {}, "To go");
+  private readonly mark = h(
+    "section",
+    { class: "mark hidden" },
+    this.toGoName,
+    h("div", { class: "figure" }, this.toGo, this.toGoUnit),
+    this.toGoWay,
+  );
+  private readonly under = h(
+    "div",
+    { class: "under" },
+    h(
+      "section",
+      {},
+      h("h3", {}, "Angle"),
+      h("div", { class: "figure" }, this.angle, h("span", { class: "unit" }, "°")),
+      this.angleWay,
+    ),
+    h(
+      "section",
+      {},
+      h("h3", {}, "Along"),
+      h("div", { class: "figure" }, this.along, h("span", { class: "unit" }, "m/s")),
+      this.alongWay,
+    ),
+    this.mark,
+  );
   private readonly limit = h("output", {
     class: "limit",
     "aria-label": "Speed limit at the fenders",
@@ -144,24 +174,7 @@ export class Docking implements View {
         "div",
         { class: "board" },
         this.ends,
-        h(
-          "div",
-          { class: "under" },
-          h(
-            "section",
-            {},
-            h("h3", {}, "Angle"),
-            h("div", { class: "figure" }, this.angle, h("span", { class: "unit" }, "°")),
-            this.angleWay,
-          ),
-          h(
-            "section",
-            {},
-            h("h3", {}, "Along"),
-            h("div", { class: "figure" }, this.along, h("span", { class: "unit" }, "m/s")),
-            this.alongWay,
-          ),
-        ),
+        this.under,
         h("div", { class: "limits" }, lower, this.limit, higher),
       ),
     );
@@ -172,6 +185,22 @@ export class Docking implements View {
     const now =
       here_mps - at_fenders_mps > SAME_LIMIT_MPS ? `; at this distance ${fixed(here_mps, 2)}` : "";
     setText(this.limit, `At most ${fixed(at_fenders_mps, 2)} m/s at the fenders${now}`);
+  }
+
+  /** The way to go along the berth to the mark of the exercise, for the ship of the exercise. */
+  private showMark(frame: Frame, hello: Hello, ship: number): void {
+    const isOwn = hello.exercise?.ship === hello.vessels[ship]?.name;
+    const to_go_m = isOwn ? (frame.exercise?.to_go_m ?? null) : null;
+    setClass(this.mark, "hidden", to_go_m === null);
+    setClass(this.under, "with-mark", to_go_m !== null);
+    if (to_go_m === null) return;
+    setText(this.toGoName, hello.exercise?.mark ?? "To go");
+    const long_m = Math.abs(to_go_m);
+    const isFar = long_m >= 999.5;
+    setText(this.toGo, isFar ? fixed(long_m / 1000, 2) : fixed(long_m, long_m < 100 ? 1 : 0));
+    setText(this.toGoUnit, isFar ? "km" : "m");
+    setText(this.toGoWay, long_m < 0.05 ? "abeam" : to_go_m > 0 ? "ahead" : "astern");
+    this.mark.dataset.toGo = to_go_m.toFixed(2);
   }
 
   /** Pilot and instructor set the limit. */
@@ -201,6 +230,7 @@ export class Docking implements View {
       this.stern.show(berth.stern, berth.stern_lamp, berth.stern_m, berth.stern_mps);
     }
     this.showLimit(frame.approach_mps, berth.limit_mps);
+    this.showMark(frame, hello, index);
     // As seen from the ship facing the quay: starboard side to, the bow is on the left.
     const starboardTo = dot(turned(body[2] - quay[2], [0, 1]), hello.berth.facing) < 0;
     setClass(this.ends, "starboard-to", starboardTo);

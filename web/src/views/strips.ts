@@ -15,6 +15,8 @@ interface Strip {
     dash?: number[];
   }[];
   least: [number, number];
+  /** A limit, drawn over the times at which the first series has values. */
+  limit?: { label: string; of: (history: History) => number | null };
   /** It is shown only where it has values. */
   optional?: boolean;
 }
@@ -41,6 +43,13 @@ const STRIPS: Strip[] = [
     least: [-10, 10],
     optional: true,
     series: [{ label: "off the track", key: "cross_track_m", colour: "plan" }],
+  },
+  {
+    title: "Least clearance under the keel, m, squat included",
+    least: [0, 1],
+    optional: true,
+    series: [{ label: "clearance", key: "under_keel_m", colour: "path" }],
+    limit: { label: "limit", of: (history) => history.under_keel_limit_m },
   },
   {
     title: "Speed ahead, kn",
@@ -125,12 +134,13 @@ export class Strips implements View {
       : { min: -this.minutes, max: 0 };
     STRIPS.forEach((strip, i) => {
       const chart = this.charts[i];
-      chart?.setData([times, ...strip.series.map(({ key }) => shown.map((s) => s[key]))], false);
+      const columns = strip.series.map(({ key }) => shown.map((s) => s[key]));
+      const limit = strip.limit?.of(this.history) ?? null;
+      if (strip.limit) columns.push((columns[0] ?? []).map((v) => (v === null ? null : limit)));
+      chart?.setData([times, ...columns], false);
       chart?.batch(() => {
         chart.setScale("x", range);
-        const values = shown
-          .flatMap((s) => strip.series.map(({ key }) => s[key]))
-          .filter((v) => v !== null);
+        const values = columns.flat().filter((v) => v !== null);
         // A strip without a value in the whole run says nothing.
         if (this.whole || strip.optional)
           setClass(chart.root, "hidden", values.length === 0 && shown.length > 0);
@@ -185,9 +195,20 @@ export class Strips implements View {
                 points: { show: false },
                 ...(dash && { dash }),
               })),
+              ...(strip.limit
+                ? [
+                    {
+                      label: strip.limit.label,
+                      stroke: () => palette().alarm,
+                      width: 1.5,
+                      points: { show: false },
+                      dash: [2, 3],
+                    },
+                  ]
+                : []),
             ],
           },
-          [[], ...strip.series.map(() => [])],
+          [[], ...strip.series.map(() => []), ...(strip.limit ? [[]] : [])],
           this.box,
         ),
     );

@@ -2,6 +2,7 @@
 
 use super::Verdict;
 use super::law::Departure;
+use fenderline_contact::Vec2;
 use fenderline_ship::anchor::LostBy;
 use fenderline_world::chain::ChainKind;
 use fenderline_world::named::called;
@@ -116,6 +117,21 @@ pub enum Finding {
         cross_track_m: f64,
         /// Half of the width of the corridor there (m).
         half_width_m: f64,
+    },
+    /// A vessel was higher than the clearance of a bridge or cable over her.
+    TooHigh {
+        /// The vessel.
+        vessel: usize,
+        /// The bridge or cable, by its index in [`fenderline_world::overhead::OverheadSetup::structures`].
+        structure: usize,
+        /// Start of the first step in which the vessel was too high (s).
+        first_s: f64,
+        /// How long the vessel was too high (s).
+        lasting_s: f64,
+        /// The least clearance above her highest point, which is negative (m).
+        clearance_m: f64,
+        /// Where the vessel was at the least clearance, north and east (m).
+        at_m: Vec2,
     },
     /// A limit of the scenario was exceeded.
     LimitExceeded {
@@ -238,7 +254,7 @@ impl Finding {
     #[must_use]
     pub fn verdict(&self) -> Verdict {
         match self {
-            Finding::StructureStruck { .. } => Verdict::StructureStruck,
+            Finding::StructureStruck { .. } | Finding::TooHigh { .. } => Verdict::StructureStruck,
             Finding::FenderFailed { .. } | Finding::ChainParted { .. } => Verdict::FenderFailed,
             Finding::PileYielded { .. } => Verdict::PileYielded,
             Finding::LineParted { .. } => Verdict::LineParted,
@@ -311,7 +327,9 @@ impl Finding {
                 vec![setup.world.statistics.limits[limit].name.as_str()]
             }
             Finding::PileYielded { body: of, .. } => vec![body(of)],
-            Finding::Aground { vessel, .. } | Finding::LeftCorridor { vessel, .. } => {
+            Finding::Aground { vessel, .. }
+            | Finding::LeftCorridor { vessel, .. }
+            | Finding::TooHigh { vessel, .. } => {
                 vec![body(setup.world.vessels[vessel].body)]
             }
             Finding::OutsideLaw(departure) => departure.subject.names(setup),
@@ -412,6 +430,16 @@ impl Finding {
                     cross_track_m.abs()
                 )
             }
+            Finding::TooHigh { structure, first_s, lasting_s, clearance_m, at_m, .. } => format!(
+                "{} was {} too high for the {}, {:.0} m north and {:.0} m east of the origin, from {first_s:.1} s \
+                 for {}",
+                names[0],
+                length(-clearance_m),
+                setup.world.overhead.structures[structure].name,
+                at_m.x,
+                at_m.y,
+                duration(lasting_s)
+            ),
             Finding::FenderOverRated { quantity, share, .. } => {
                 format!(
                     "{}: {quantity} {:.0} % of rated",

@@ -12,6 +12,7 @@ use fenderline_ship::track::OnPlan;
 use fenderline_world::dolphin::DolphinSummary;
 use fenderline_world::fender::FenderSummary;
 use fenderline_world::hull::SideMissed;
+use fenderline_world::overhead::AirClearance;
 use fenderline_world::record::StepRecord;
 use fenderline_world::setup::Setup;
 use fenderline_world::world::{AnchorAtWork, Mooring, WorldEventKind};
@@ -85,6 +86,32 @@ impl CorridorWatch {
     }
 }
 
+/// How a vessel met bridges and cables that were too low for her.
+#[derive(Clone, Copy, Debug, Default)]
+struct OverheadWatch {
+    struck: Lasting,
+    /// The least clearance, which is negative.
+    least: Option<AirClearance>,
+}
+
+impl OverheadWatch {
+    fn add(&mut self, now: AirClearance, t_s: f64) {
+        if now.clearance_m >= 0.0 {
+            return;
+        }
+        self.struck.count(t_s);
+        if self.least.is_none_or(|least| now.clearance_m < least.clearance_m) {
+            self.least = Some(now);
+        }
+    }
+
+    fn finding(self, vessel: usize, step_s: f64) -> Option<Finding> {
+        let (first_s, lasting_s) = self.struck.first_and_lasting(step_s)?;
+        let AirClearance { structure, clearance_m, at_m } = self.least?;
+        Some(Finding::TooHigh { vessel, structure, first_s, lasting_s, clearance_m, at_m })
+    }
+}
+
 #[derive(Clone, Debug, Default)]
 struct AnchorWatch {
     /// Time at which the anchor first dragged (s), and how far the anchor dragged in all (m).
@@ -103,6 +130,7 @@ pub struct Watch {
     touches: Vec<Touch>,
     aground: Vec<Lasting>,
     corridors: Vec<CorridorWatch>,
+    overheads: Vec<OverheadWatch>,
     lines: Vec<LineWatch>,
     anchors: Vec<AnchorWatch>,
     departures: Departures,
@@ -134,6 +162,7 @@ impl Watch {
             touches: Vec::new(),
             aground: vec![Lasting::default(); setup.world.vessels.len()],
             corridors: vec![CorridorWatch::default(); setup.world.vessels.len()],
+            overheads: vec![OverheadWatch::default(); setup.world.vessels.len()],
             lines: vec![LineWatch::default(); setup.world.lines.len()],
             anchors: vec![AnchorWatch::default(); setup.world.anchors.len()],
             departures: Departures::new(setup),
@@ -147,12 +176,22 @@ impl Watch {
         setup: &Setup,
         starts_inside: impl FnOnce(&dyn Fn([usize; 2]) -> bool) -> Vec<Finding>,
     ) {
-        let Watch { protected, starts, touches, aground, corridors, lines, anchors, departures } =
-            self;
+        let Watch {
+            protected,
+            starts,
+            touches,
+            aground,
+            corridors,
+            overheads,
+            lines,
+            anchors,
+            departures,
+        } = self;
         *starts = starts_inside(&|bodies: [usize; 2]| bodies.iter().any(|&b| protected[b]));
         touches.clear();
         aground.fill(Lasting::default());
         corridors.fill(CorridorWatch::default());
+        overheads.fill(OverheadWatch::default());
         lines.fill(LineWatch::default());
         anchors.fill(AnchorWatch::default());
         departures.restart(setup);
@@ -193,6 +232,18 @@ impl Watch {
         for (own, vessel) in self.corridors.iter_mut().zip(&setup.world.vessels) {
             if let Some(now) = vessel.on_plan(&step.states[vessel.body]) {
                 own.add(now, step.t_s);
+            }
+        }
+        if !setup.world.overhead.structures.is_empty() {
+            let level_m = setup.world.environment.level_m(step.t_s);
+            let vessels = setup.world.vessels.iter().zip(step.vessels).enumerate();
+            for (own, (index, (vessel, now))) in self.overheads.iter_mut().zip(vessels) {
+                let outline = &setup.bodies[vessel.body].outline;
+                let state = &step.states[vessel.body];
+                let water_m = [level_m, now.squat_m];
+                if let Some(now) = setup.world.overhead.over(index, outline, state, water_m) {
+                    own.add(now, step.t_s);
+                }
             }
         }
         for ((own, line), now) in self.lines.iter_mut().zip(&setup.world.lines).zip(step.lines) {
@@ -273,6 +324,9 @@ impl Watch {
             }));
         }
         for (vessel, own) in self.corridors.iter().enumerate() {
+            all.extend(own.finding(vessel, step_s));
+        }
+        for (vessel, own) in self.overheads.iter().enumerate() {
             all.extend(own.finding(vessel, step_s));
         }
         for (line, own) in self.lines.iter().enumerate() {

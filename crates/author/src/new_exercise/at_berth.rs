@@ -126,7 +126,7 @@ impl NewExercise {
                 edits.push(Edit::remove(&["body", name]));
             }
         }
-        for kind in ["fender", "fender_row", "bollard"] {
+        for kind in ["fender", "fender_row", "bollard", "bollard_row"] {
             for (name, table) in tables(document, kind) {
                 if !is_kept(table.get("on").map(toml::Spanned::get_ref)) {
                     edits.push(Edit::remove(&[kind, name]));

@@ -3,7 +3,7 @@
 //! run, serve and change by hand.
 
 mod at_berth;
-mod text;
+pub(crate) mod text;
 
 pub use at_berth::{BerthSource, berth_words, fixed_berth};
 

@@ -30,7 +30,7 @@ const TUG_PLACES: [&[f64]; 5] =
     [&[], &[0.0], &[0.31, -0.34], &[0.36, 0.0, -0.38], &[0.38, 0.14, -0.14, -0.38]];
 
 /// The tables of materials.
-pub(super) const CONCRETE: &str = r#"
+pub(crate) const CONCRETE: &str = r#"
 [material.concrete]
 stiffness = "50 MN/m^2"
 shear_stiffness = "10 MN/m"
@@ -38,7 +38,7 @@ friction_static = 0.5
 friction_dynamic = 0.4
 restitution = 0.1
 "#;
-const FACING: &str = r#"
+pub(crate) const FACING: &str = r#"
 # Friction of fenders: an assumption, not from a source.
 [material.facing]
 stiffness = 0
@@ -46,7 +46,7 @@ shear_stiffness = "3000 kN/m"
 friction_static = 0.2
 friction_dynamic = 0.2
 "#;
-pub(super) const BOW: &str = r#"
+pub(crate) const BOW: &str = r#"
 # Friction of the tugs' bow fenders: an assumption, not from a source.
 [material.bow]
 stiffness = "500 kN/m^2"
@@ -56,14 +56,14 @@ friction_dynamic = 0.4
 "#;
 
 /// Number of bollards on a quay.
-pub(super) fn bollards(berth: &NewBerth) -> usize {
+pub(crate) fn bollards(berth: &NewBerth) -> usize {
     // Checked to be of the order of a quay.
     let places = libm::floor((berth.length_m - 10.0) / berth.bollard_spacing_m);
     if places < 1e4 { places as usize + 1 } else { usize::MAX }
 }
 
 /// The text of the scenario file; `None` if the fenders have neither a size nor height and reaction.
-pub(super) fn compose(
+pub(crate) fn compose(
     of: &NewExercise,
     ship: &VesselData,
     tug: &VesselData,
@@ -98,7 +98,7 @@ pub(super) fn compose(
 }
 
 /// The ship's length and beam, and where she starts.
-pub(super) struct Hull {
+pub(crate) struct Hull {
     length_m: f64,
     beam_m: f64,
     /// Place of the ship's centre of gravity at the start, north and east (m).
@@ -117,7 +117,7 @@ impl Hull {
     }
 
     /// The ship at a berth whose middle is `middle_m` and from which the water lies in the direction `to_sea`.
-    pub(super) fn at(of: &NewExercise, ship: &VesselData, middle_m: Vec2, to_sea: Vec2) -> Hull {
+    pub(crate) fn at(of: &NewExercise, ship: &VesselData, middle_m: Vec2, to_sea: Vec2) -> Hull {
         let particulars = &ship.ship.particulars;
         let length_m = ship.length_overall_m.unwrap_or(particulars.length_m);
         let shore = match of.ship.side {
@@ -139,7 +139,7 @@ fn bearing_deg(of: Vec2) -> f64 {
 }
 
 /// Writes the ship's lines, which are still on board.
-pub(super) fn lines(text: &mut String, hull: &Hull) {
+pub(crate) fn lines(text: &mut String, hull: &Hull) {
     for (name, along, across) in LINES {
         let _ = write!(
             text,
@@ -159,7 +159,7 @@ fn environment(text: &mut String, of: &NewExercise) {
 }
 
 /// The keys of wind, current and visibility, with the values that the user chose.
-pub(super) fn weather(of: &NewExercise) -> Vec<(&'static str, String)> {
+pub(crate) fn weather(of: &NewExercise) -> Vec<(&'static str, String)> {
     let NewWeather { wind_mps, wind_from_rad, gusts, current_mps, current_to_rad, visibility_m } =
         of.weather;
     let wind = (wind_mps > 0.0).then(|| {
@@ -173,7 +173,7 @@ pub(super) fn weather(of: &NewExercise) -> Vec<(&'static str, String)> {
     [wind, current, visibility].into_iter().flatten().collect()
 }
 
-pub(super) fn ship_body(text: &mut String, of: &NewExercise, hull: &Hull, ship: &VesselData) {
+pub(crate) fn ship_body(text: &mut String, of: &NewExercise, hull: &Hull, ship: &VesselData) {
     let _ = write!(text, "\n[body.ship]\nvessel = {}\n", quoted(&ship.name));
     if ship.outline_m.is_none() {
         // The outline is about the centre of gravity.
@@ -240,7 +240,7 @@ fn fenders(text: &mut String, berth: &NewBerth, size: Option<&FenderSize>) -> Op
 
 /// Writes the tugs, each on her line. The tugs may touch the ship, each other, and the fixed bodies that `ashore`
 /// names.
-pub(super) fn tugs(
+pub(crate) fn tugs(
     text: &mut String,
     of: &NewExercise,
     hull: &Hull,
@@ -280,7 +280,7 @@ pub(super) fn tugs(
 }
 
 /// Writes a pair of two bodies that may touch.
-pub(super) fn pair(text: &mut String, one: &str, other: &str) {
+pub(crate) fn pair(text: &mut String, one: &str, other: &str) {
     let (one, other) = (quoted(one), quoted(other));
     let _ = write!(text, "\n[[pair]]\nbodies = [{one}, {other}]\nmaterial = \"concrete\"\n");
 }
@@ -292,6 +292,6 @@ fn tenth(value_m: f64) -> f64 {
 }
 
 /// A text in quotation marks, in JSON's form, which is valid in TOML too.
-pub(super) fn quoted(text: &str) -> String {
+pub(crate) fn quoted(text: &str) -> String {
     serde_json::Value::from(text).to_string()
 }

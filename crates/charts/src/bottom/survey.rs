@@ -7,7 +7,7 @@ use fenderline_keys::sources::{Sources, Span, quoted};
 
 use super::placed::Place;
 
-/// Largest number of values of a survey. The survey's file has at most 16 MiB.
+/// Largest number of values of a survey.
 const MOST_VALUES: usize = 4_000_000;
 /// Smallest and largest depth or height that a survey may contain (m).
 const VALUES_M: [f64; 2] = [-12_000.0, 12_000.0];

@@ -250,7 +250,7 @@ pub(super) fn doubled_area_m2(ring: &[Vec2]) -> f64 {
 }
 
 /// Whether a point lies within a ring. A point on the ring counts as either.
-pub(super) fn contains(ring: &[Vec2], point: Vec2) -> bool {
+pub(crate) fn contains(ring: &[Vec2], point: Vec2) -> bool {
     let mut is_inside = false;
     for (a, b) in ring.iter().zip(ring.iter().cycle().skip(1)) {
         if (a.y > point.y) != (b.y > point.y)

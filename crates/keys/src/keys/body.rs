@@ -37,6 +37,7 @@ pub static BODY: TableSpec = TableSpec {
                 "properties": {
                     "mass": false, "gyradius": false, "yaw_inertia": false,
                     "added_mass": false, "velocity": false, "vessel": false, "running": false,
+                    "air_draught": false,
                     "approach": false, "draught": false
                 },
                 "not": {
@@ -58,7 +59,7 @@ pub static BODY: TableSpec = TableSpec {
                     }
                 },
                 "else": {
-                    "properties": { "running": false },
+                    "properties": { "running": false, "air_draught": false },
                     "required": ["mass"],
                     "anyOf": [{ "required": ["outline"] }, { "required": ["outlines", "draught"] }],
                     "oneOf": [{ "required": ["gyradius"] }, { "required": ["yaw_inertia"] }]
@@ -136,6 +137,15 @@ table_keys! {
             Means("engine stopped"),
             "Shaft revolutions at the start, as a fraction of full revolutions.",
             &["0.3"],
+        ),
+        AIR_DRAUGHT: Number = key(
+            "air_draught",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 500.0 }),
+            Means("the clearance under bridges and cables is not checked"),
+            "Height of the vessel's highest point above her waterline at rest, in the draught that she has. \
+             Bridges and cables of the chart with a clearance are compared with this height, which needs \
+             `chart.clearance_datum`.",
+            &["\"38 m\""],
         ),
         MASS: Number = key(
             "mass",

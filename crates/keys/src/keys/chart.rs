@@ -63,6 +63,14 @@ table_keys! {
             "Latitude and longitude of the scenario's origin.",
             &["{ latitude = \"53.52 deg\", longitude = \"9.94 deg\" }"],
         ),
+        CLEARANCE_DATUM: Number = key(
+            "clearance_datum",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: -50.0, high: 50.0 }),
+            Unless("no vessel has an `air_draught`, or the chart has no bridge or cable with a clearance"),
+            "Height above chart datum of the level of high water from which the chart gives the clearances \
+             of bridges and cables, such as mean high water springs. Tide tables of the place have it.",
+            &["\"3.2 m\""],
+        ),
         SOLID: Texts = key(
             "solid",
             Kind::Texts,

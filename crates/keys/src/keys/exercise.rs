@@ -74,6 +74,14 @@ table_keys! {
             "The body with the fenders of the berth.",
             &["\"quay\""],
         ),
+        MARK: TableOf<MarkKey> = key(
+            "mark",
+            Kind::Table(&MARK_TABLE),
+            Means("no mark"),
+            "A mark of the berth abeam of which a place of the ship shall lie, such as \"bow at bollard 9\". The \
+             docking board of a live session shows the distance to go along the berth. The mark is no part of the goal.",
+            &["{ name = \"Bow at bollard 9\", at = [1.5, 75] }"],
+        ),
         LINES: Texts = key(
             "lines",
             Kind::Texts,
@@ -174,6 +182,42 @@ table_keys! {
     }
 }
 
+static MARK_TABLE: TableSpec = TableSpec {
+    what: "a mark of the berth",
+    doc: "A mark of the berth, and the place of the ship that shall lie abeam of the mark.",
+    keys: MarkKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a mark of the berth.
+    pub MarkKey {
+        NAME: Text = key(
+            "name",
+            Kind::Text,
+            Means("\"mark\""),
+            "Name of the mark on the docking board.",
+            &["\"Bow at bollard 9\""],
+        ),
+        AT: Vector = key(
+            "at",
+            Kind::Vector(POSITION),
+            Refused,
+            "Place of the mark, forward and to starboard of the origin of the berth's body, as for a bollard. Only the \
+             place along the fenders counts.",
+            &["[1.5, 75]"],
+        ),
+        OF_SHIP: Number = key(
+            "of_ship",
+            Kind::Quantity(POSITION),
+            Means("the foremost place of the ship's outline"),
+            "Place of the ship that shall lie abeam of the mark, forward of her body's origin, such as that of her \
+             manifold; negative aft of the origin.",
+            &["\"-12 m\""],
+        ),
+    }
+}
+
 static GOALS: Choices<GoalWord> = Choices(&[
     Choice {
         word: "all_fast",
@@ -214,7 +258,9 @@ impl GoalWord {
                     POSITION, REST_SPEED
                 ]
             }
-            GoalWord::Anchored => any_keys![ExerciseKey: LINES, LEAST_TENSION, MOST_TENSION],
+            GoalWord::Anchored => {
+                any_keys![ExerciseKey: MARK, LINES, LEAST_TENSION, MOST_TENSION]
+            }
         }
     }
 }
@@ -390,6 +436,14 @@ at_most!(
     DISTANCE,
     "\"20 m\""
 );
+at_most!(
+    CROSS_TRACK,
+    "a limit of the cross-track distance",
+    "Distance of midship from the track of the ship's passage plan, to port or to starboard, between the first and the \
+     last waypoint.",
+    DISTANCE,
+    "\"30 m\""
+);
 at_most!(TIME, "a limit of the time", "Time until the goal is reached.", DURATION, "\"60 min\"");
 at_least!(
     CLEARANCE,
@@ -439,6 +493,11 @@ table_keys! {
             "Distance from structures other than the berth.",
         ),
         UNDER_KEEL: TableOf<ScoreKey> = limit("under_keel", &UNDER_KEEL, "Water under the keel."),
+        CROSS_TRACK: TableOf<ScoreKey> = limit(
+            "cross_track",
+            &CROSS_TRACK,
+            "Distance from the track of the ship's passage plan.",
+        ),
         TOUCH: TableOf<ScoreKey> = limit("touch", &TOUCH, "Touches without a fender."),
         TIME: TableOf<ScoreKey> = limit("time", &TIME, "Time until the goal is reached."),
     }
@@ -461,6 +520,7 @@ pub fn limit_key(measure: Measure) -> Key<ExerciseLimitKey, TableOf<ScoreKey>> {
         Measure::Dragged => ExerciseLimitKey::DRAGGED,
         Measure::Clearance => ExerciseLimitKey::CLEARANCE,
         Measure::UnderKeel => ExerciseLimitKey::UNDER_KEEL,
+        Measure::CrossTrack => ExerciseLimitKey::CROSS_TRACK,
         Measure::Touch => ExerciseLimitKey::TOUCH,
         Measure::Time => ExerciseLimitKey::TIME,
     }

@@ -5,6 +5,7 @@ use serde_json::{Value as Json, json};
 use super::dolphin::{DOLPHIN, DolphinKey};
 use super::fender::{FENDER, FenderKey};
 use super::quantities::{DIRECTION, FENDER_SIZE, POSITION};
+use super::quay_line::{QUAY_LINE, QuayLineKey};
 use crate::held::{Name, NamedOf, Number, Points, TableOf, Vector};
 use crate::spec::Absent::{Is, Means, Refused, Unless};
 use crate::spec::{Absent, KeySpec, Kind, Quantity, TableSpec, key};
@@ -19,7 +20,7 @@ pub(super) static FENDER_ROW: TableSpec = TableSpec {
     what: "a row of fenders",
     doc: "A row of equal fenders, which are named NAME_1, NAME_2 and so on. The row begins at \
           `first` or stands along a `wall`, with two of the keys `spacing`, `number` and `last`; \
-          or it stands on `dolphins`. All other keys of the row are keys of a fender, and hold for \
+          or it stands along a `quay_line` of the chart, with `spacing`; or on `dolphins`. All other keys of the row are keys of a fender, and hold for \
           each fender of the row.",
     keys: &ROW_KEYS,
     rules: Some(row_rules),
@@ -59,7 +60,7 @@ table_keys! {
         FIRST: Vector = key(
             "first",
             Kind::Point(POSITION),
-            Unless("`wall` or `dolphins` of the row is given"),
+            Unless("`wall`, `quay_line` or `dolphins` of the row is given"),
             "Middle of the line where the first fender is mounted: distances forward and to \
              starboard of the body's origin. For a row on dolphins, `first` is the place of the \
              fender on each dolphin; [0, 0] unless given.",
@@ -88,8 +89,9 @@ table_keys! {
                 low: 1.0,
                 high: MOST_IN_ROW as f64,
             }),
-            Unless("`last` and `spacing` of the row are given"),
-            "Number of fenders.",
+            Unless("`last` and `spacing`, or `quay_line`, of the row are given"),
+            "Number of fenders. A row along a `quay_line` has as many as the line has room for, unless \
+             the number is given.",
             &["8"],
         ),
         WALL: Points = key(
@@ -100,11 +102,20 @@ table_keys! {
              from the first corner to the second.",
             &["[[-100, 0], [100, 0]]"],
         ),
+        QUAY_LINE: TableOf<QuayLineKey> = key(
+            "quay_line",
+            Kind::Table(&QUAY_LINE),
+            Means("the row does not follow the chart"),
+            "A line of the chart along which the row stands, on a fixed body such as `shore`. The \
+             fenders are mounted on the body's face at the line and face the water.",
+            &["{ name = \"Long Quay\" }"],
+        ),
         FROM_CORNER: Number = key(
             "from_corner",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 1e5 }),
             Means("the row stands in the middle of the wall"),
-            "Distance from the first corner of the `wall` to the middle of the first fender.",
+            "Distance from the first corner of the `wall`, or from the start of the `quay_line`, to the \
+             middle of the first fender.",
             &["\"5 m\""],
         ),
         DOLPHINS: Points = key(
@@ -246,20 +257,29 @@ fn row_rules() -> Json {
         "if": { "required": ["dolphins"] },
         "then": {
             "required": ["outline"],
-            "properties": refused(&["on", "wall", "from_corner", "last", "spacing", "number"])
+            "properties": refused(&[
+                "on", "wall", "quay_line", "from_corner", "last", "spacing", "number"
+            ])
         },
         "else": {
             "required": ["on"],
             "properties": refused(&["outline", "heading", "dolphin"]),
-            "if": { "required": ["wall"] },
+            "if": { "required": ["quay_line"] },
             "then": {
-                "required": ["spacing", "number"],
-                "properties": refused(&["first", "last"])
+                "required": ["spacing"],
+                "properties": refused(&["wall", "first", "last", "facing"])
             },
             "else": {
-                "required": ["first"],
-                "properties": refused(&["from_corner"]),
-                "oneOf": two_of_three
+                "if": { "required": ["wall"] },
+                "then": {
+                    "required": ["spacing", "number"],
+                    "properties": refused(&["first", "last"])
+                },
+                "else": {
+                    "required": ["first"],
+                    "properties": refused(&["from_corner"]),
+                    "oneOf": two_of_three
+                }
             }
         }
     }));

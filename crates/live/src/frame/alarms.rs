@@ -3,6 +3,7 @@
 use fenderline_contact::number::greater;
 use fenderline_sim::anchor::{AnchorPosition, LostBy};
 use fenderline_sim::order::Word;
+use fenderline_sim::overhead::AirClearance;
 use fenderline_sim::track::OnPlan;
 use fenderline_sim::{Fault, Simulation};
 
@@ -21,9 +22,12 @@ const FENDER_CAUTION: f64 = 0.8;
 const LINE_CAUTION: f64 = 0.8;
 /// A ship that closes in too fast raises an alarm within this distance of the berth (m).
 const NEAR_M: f64 = 100.0;
-/// An under-keel clearance below this share of the draught raises a caution. The least under-keel clearance without a
-/// caution is our choice.
-const UNDER_KEEL_SHARE: f64 = 0.1;
+
+/// A clearance under a bridge or cable below this raises a caution (m); our choice. A vessel that is too high raises an
+/// alarm.
+const OVERHEAD_M: f64 = 1.0;
+/// How far ahead a bridge or cable is looked for, while the vessel keeps her velocity and heading (s); our choice.
+const AHEAD_S: f64 = 180.0;
 
 /// The data from which the causes of alarms are found.
 pub(super) struct Input<'a> {
@@ -97,14 +101,52 @@ fn off_track(of: &Input<'_>, vessel: usize) -> Option<Alarm> {
     Some(alarm("off track", &[name], text))
 }
 
+/// The alarm of a vessel that is under a bridge or cable with too little clearance, or will be if she keeps her velocity
+/// and heading.
+fn overhead(of: &Input<'_>, index: usize) -> Option<Alarm> {
+    let setup = of.simulation.setup();
+    let overhead = &setup.world.overhead;
+    overhead.air_draught_m(index)?;
+    let (vessel, now) = (&of.info.vessels[index], &of.vessels[index]);
+    let (outline, state) =
+        (&setup.bodies[vessel.body].outline, &of.simulation.states()[vessel.body]);
+    let water_m = [setup.world.environment.level_m(of.simulation.time_s()), now.squat_m];
+    let name = &*vessel.name;
+    let structure = |of: AirClearance| &*overhead.structures[of.structure].name;
+    let level = |clearance_m: f64| alarm_if(clearance_m < 0.0);
+    if let Some(here) = overhead.over(index, outline, state, water_m)
+        && here.clearance_m < OVERHEAD_M
+    {
+        let (clearance_m, over) = (here.clearance_m, structure(here));
+        let text = match clearance_m < 0.0 {
+            true => format!("{name}: {:.1} m too high for the {over}", -clearance_m),
+            false => format!("{name}: {clearance_m:.1} m under the {over}"),
+        };
+        return Some(of_level(level(clearance_m), "overhead", &[name], text));
+    }
+    let (after_s, ahead) = overhead.ahead(index, outline, state, (water_m, AHEAD_S))?;
+    let (clearance_m, over) = (ahead.clearance_m, structure(ahead));
+    if clearance_m >= OVERHEAD_M {
+        return None;
+    }
+    let text = match clearance_m < 0.0 {
+        true => {
+            format!("{name}: the {over} ahead in {after_s:.0} s is {:.1} m too low", -clearance_m)
+        }
+        false => format!("{name}: {clearance_m:.1} m under the {over} ahead in {after_s:.0} s"),
+    };
+    Some(of_level(level(clearance_m), "overhead", &[name], text))
+}
+
 fn vessels(of: &Input<'_>, all: &mut Vec<Alarm>) {
     for (index, (vessel, now)) in of.info.vessels.iter().zip(of.vessels).enumerate() {
         let name = &vessel.name;
         all.extend(off_track(of, index));
+        all.extend(overhead(of, index));
         if now.aground {
             all.push(alarm("aground", &[name], format!("{name} is aground")));
         } else if let Some(clear_m) = now.under_keel_m
-            && clear_m < UNDER_KEEL_SHARE * vessel.draught_m
+            && clear_m < vessel.under_keel_limit_m
         {
             let text = format!("{name}: {clear_m:.1} m under the keel");
             all.push(caution("under keel", &[name], text));

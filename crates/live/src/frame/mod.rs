@@ -107,7 +107,7 @@ pub(crate) fn frame(now: &Now, cast: &Cast, info: &Info, at_ms: u64, run: RunSta
         approach_mps: now.approach.at_fenders_mps,
         alarms: now.alarms.messages(),
         verdict: verdict(simulation),
-        exercise: now.exercise.as_ref().map(|exercise| exercise::now(exercise, t_s)),
+        exercise: now.exercise.as_ref().map(|exercise| exercise::now(exercise, simulation)),
     }
 }
 

@@ -65,6 +65,7 @@ fn ship_sample(of: &Input<'_>, ship: usize, frozen: &Frozen) -> ShipSample {
         cross_track_m: on_plan(of, ship, frozen)
             .filter(|on| on.to_waypoint_m >= 0.0)
             .map(|on| on.cross_track_m),
+        under_keel_m: now.under_keel_m,
     }
 }
 
@@ -83,5 +84,6 @@ fn body_sample(of: &Input<'_>, body: Option<usize>) -> ShipSample {
         bow_m: None,
         stern_m: None,
         cross_track_m: None,
+        under_keel_m: None,
     }
 }

@@ -66,6 +66,39 @@ position = [3000, 1200]
     Session::open(source).expect("a good set-up")
 }
 
+/// A ship on her way to a bridge 350 m ahead that is 1 m too low for her.
+pub(crate) fn under_bridge() -> Session {
+    const TEXT: &str = r#"
+[time]
+step = "0.1 s"
+duration = "1 h"
+[chart]
+files = ["bridge.geojson"]
+coordinates = "metres"
+clearance_datum = "2 m"
+[vessel.coaster]
+length_bp = 100
+beam = 16
+draught = 6
+block_coefficient = 0.7
+rudder = { area = "12 m^2", span = "4 m" }
+propeller = { diameter = "4 m", full = "130 rpm" }
+[body.ship]
+vessel = "coaster"
+outline = [[-50, -8], [50, -8], [50, 8], [-50, 8]]
+velocity = { surge = "6 kn" }
+running = 0.4
+air_draught = "33 m"
+"#;
+    const CHART: &str = r#"{ "type": "FeatureCollection", "features": [{ "type": "Feature",
+"properties": { "OBJL": 11, "OBJNAM": "High Bridge", "VERCLR": 30 }, "geometry": { "type": "LineString",
+"coordinates": [[-200, 350], [200, 350]] } }] }"#;
+    let chart = |_: &str| Ok(CHART.to_owned());
+    let (source, _) =
+        Source::collect("bridge.toml", TEXT.to_owned(), vec![], chart).expect("a good scenario");
+    Session::open(source).expect("a good set-up")
+}
+
 pub(crate) fn go(session: &mut Session, ticks: u64) {
     for _ in 0..ticks {
         session.step().expect("a good step");

@@ -4,6 +4,7 @@ mod arrows;
 mod box2;
 mod chart;
 mod contents;
+mod depths;
 mod fenders;
 mod furniture;
 mod harbour;
@@ -18,6 +19,7 @@ use maud::{Markup, html};
 use super::{colour, dash};
 pub use chart::{chart_labels, chart_note, charted_in};
 pub use contents::{Outlined, Plan, Stage, Track};
+pub use depths::DepthLimits;
 pub use fenders::{FenderBox, Use, fenders_legend};
 use furniture::{grid, north_arrow, scale_bar};
 pub use harbour::{Harbour, LineDrawn, TugDrawn, Weather, harbour_legend};
@@ -41,7 +43,7 @@ impl Plan {
                     // A nested picture clips everything outside the view.
                     svg x=(format!("{:.1}", map.left)) y=(TOP) width=(format!("{:.1}", map.width))
                         height=(format!("{:.1}", map.height)) overflow="hidden" {
-                        (chart::charted(&self.harbour.chart, &map))
+                        (chart::charted(&self.harbour.chart, self.harbour.limits.as_ref(), self.frame, &map))
                         @for plan in &self.harbour.plans { (planned::planned(plan, &map)) }
                         @for ship in &self.harbour.passing { (passing::passing(ship, &map)) }
                         @for outline in &self.outlines { (outlined(outline, &map)) }
@@ -199,6 +201,7 @@ mod tests {
             }],
             harbour: Harbour {
                 chart: Vec::new(),
+                limits: None,
                 anchors: vec![[frame.low, frame.high]],
                 lines: vec![LineDrawn {
                     ends_m: [frame.low, frame.high],

@@ -3,6 +3,7 @@
 use fenderline_results::Outcome;
 use maud::{Markup, html};
 
+use super::scene::depth_limits;
 use crate::plot::{chart_note, harbour_legend, planned_legend};
 
 /// The legend for mooring lines, tugs, banks and passing ships, if there are any.
@@ -14,6 +15,8 @@ pub(super) fn harbour(outcome: &Outcome<'_>) -> Markup {
     html! {
         @if has.contains(&true) { (harbour_legend(has)) }
         @if world.vessels.iter().any(|vessel| vessel.plan.is_some()) { (planned_legend()) }
-        @if !world.chart.features.is_empty() { (chart_note(&world.chart, world.environment.bottom.is_some())) }
+        @if !world.chart.features.is_empty() {
+            (chart_note(&world.chart, world.environment.bottom.is_some(), depth_limits(outcome).as_ref()))
+        }
     }
 }

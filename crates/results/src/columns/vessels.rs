@@ -4,7 +4,7 @@ use fenderline_contact::BodyState;
 use fenderline_sim::attitude::Attitude;
 use fenderline_sim::hydro::{Force, Velocity};
 use fenderline_sim::track::OnPlan;
-use fenderline_sim::{Environment, VesselForces, VesselSetup, VesselState};
+use fenderline_sim::{Environment, Soundings, VesselForces, VesselSetup, VesselState};
 
 use super::{Column, Layout, List, flag, float, known, name};
 use crate::row::Row;
@@ -24,6 +24,7 @@ pub(crate) struct VesselRow {
     squat_m: f64,
     tide_m: f64,
     aground: bool,
+    under_keel_m: [Option<f64>; 2],
     on_plan: Option<OnPlan>,
 }
 
@@ -34,7 +35,7 @@ impl VesselRow {
         vessel: usize,
         setup: (&VesselSetup, &Environment),
         state: &BodyState,
-        now: &VesselState,
+        (now, soundings): (&VesselState, &Soundings),
         forces: &VesselForces,
     ) -> VesselRow {
         VesselRow {
@@ -51,6 +52,7 @@ impl VesselRow {
             squat_m: now.squat_m,
             tide_m: setup.1.level_m(t_s),
             aground: now.aground,
+            under_keel_m: setup.0.clearances_m(now.squat_m, soundings),
             on_plan: setup.0.on_plan(state),
         }
     }
@@ -229,6 +231,18 @@ pub(crate) fn vessels_table() -> Layout<VesselRow> {
         ),
         float("tide_m", "m", "water level above datum", |r| r.tide_m),
         flag("aground", "whether the vessel is aground in a step of the interval", |r| r.aground),
+        known(
+            "under_keel_fore_m",
+            "m",
+            "least clearance under the keel of the forward half of the vessel, squat included, without trim and waves",
+            |r| r.under_keel_m[0],
+        ),
+        known(
+            "under_keel_aft_m",
+            "m",
+            "least clearance under the keel of the after half of the vessel, squat included, without trim and waves",
+            |r| r.under_keel_m[1],
+        ),
         known(
             "along_track_m",
             "m",

@@ -77,6 +77,24 @@ pub static VESSELS: Catalogue<VesselSetup, VesselTotals> = Catalogue {
         known("min_under_keel_clearance_at_s", "s", "time of this clearance", |_, v| {
             v.under_keel_m.map(|least| least.at_s)
         }),
+        known(
+            "peak_cross_track_m",
+            "m",
+            "largest cross-track distance from the passage plan, between its first and last waypoint, positive to starboard",
+            |_, v| v.cross_track_m.map(|peak| peak.value),
+        ),
+        known("peak_cross_track_at_s", "s", "time of this cross-track distance", |_, v| {
+            v.cross_track_m.map(|peak| peak.at_s)
+        }),
+        known(
+            "min_air_clearance_m",
+            "m",
+            "least clearance under a bridge or cable, squat included; negative: the vessel is too high",
+            |_, v| v.air_clearance_m.map(|(least, _)| least.value),
+        ),
+        known("min_air_clearance_at_s", "s", "time of this clearance", |_, v| {
+            v.air_clearance_m.map(|(least, _)| least.at_s)
+        }),
     ],
     shown: &[
         shown("Speed over ground", "peak_speed_over_ground_mps", KNOTS).sheet(11.0),
@@ -95,6 +113,10 @@ pub static VESSELS: Catalogue<VesselSetup, VesselTotals> = Catalogue {
         shown("At", "peak_squat_at_s", SECONDS).sheet(10.0),
         shown("Least clearance under the keel", "min_under_keel_clearance_m", METRES).sheet(13.0),
         shown("At", "min_under_keel_clearance_at_s", SECONDS).sheet(10.0),
+        shown("Cross-track distance", "peak_cross_track_m", METRES).sheet(13.0),
+        shown("At", "peak_cross_track_at_s", SECONDS).sheet(10.0),
+        shown("Least clearance under a bridge", "min_air_clearance_m", METRES).sheet(13.0),
+        shown("At", "min_air_clearance_at_s", SECONDS).sheet(10.0),
         shown("Time aground", "aground_s", SECONDS).sheet(10.0),
     ],
 };

@@ -3,6 +3,8 @@
 use fenderline_contact::BodyState;
 use fenderline_sim::VesselState;
 use fenderline_sim::hydro::{Force, Velocity};
+use fenderline_sim::overhead::AirClearance;
+use fenderline_sim::track::OnPlan;
 
 use super::{Lasting, Peak};
 
@@ -27,6 +29,13 @@ pub struct VesselTotals {
     pub squat_m: Peak,
     /// Minimum under-keel clearance, squat included (m); `None` in deep water.
     pub under_keel_m: Option<Peak>,
+    /// Largest cross-track distance from the vessel's passage plan between the first and the last waypoint, positive to
+    /// starboard of the track (m); `None` if the vessel was on no leg of a plan.
+    pub cross_track_m: Option<Peak>,
+    /// Least clearance under a bridge or cable (m), and its index in
+    /// [`fenderline_sim::overhead::OverheadSetup::structures`]; `None` if the vessel passed under none, or if her air
+    /// draught is not known.
+    pub air_clearance_m: Option<(Peak, usize)>,
     /// Largest surge force, sway force and yaw moment by the flow around passing ships and other vessels (N, N, N·m).
     pub passing: [Peak; 3],
     /// Time for which the vessel was aground.
@@ -38,6 +47,20 @@ impl VesselTotals {
         let parts = [force.surge_n, force.sway_n, force.yaw_nm];
         for (peak, part) in self.passing.iter_mut().zip(parts) {
             peak.raise(part, t_s);
+        }
+    }
+
+    pub(super) fn add_place(&mut self, t_s: f64, on_plan: Option<OnPlan>) {
+        if let Some(on) = on_plan.filter(OnPlan::is_on_leg) {
+            let first = Peak { value: on.cross_track_m, at_s: t_s };
+            self.cross_track_m.get_or_insert(first).raise(on.cross_track_m, t_s);
+        }
+    }
+
+    pub(super) fn add_overhead(&mut self, t_s: f64, now: &AirClearance) {
+        let value = now.clearance_m;
+        if self.air_clearance_m.is_none_or(|(least, _)| value < least.value) {
+            self.air_clearance_m = Some((Peak { value, at_s: t_s }, now.structure));
         }
     }
 

@@ -168,7 +168,7 @@ impl Assembly<'_, '_> {
         by: AnyKey<BodyKey>,
     ) -> Checked<()> {
         const FLOATING: &[AnyKey<BodyKey>] = any_keys![
-            BodyKey: VESSEL, RUNNING, MASS, GYRADIUS, YAW_INERTIA, ADDED_MASS, VELOCITY, APPROACH
+            BodyKey: VESSEL, RUNNING, AIR_DRAUGHT, MASS, GYRADIUS, YAW_INERTIA, ADDED_MASS, VELOCITY, APPROACH
         ];
         match table.entries().find(|item| FLOATING.iter().any(|key| item.is(*key))) {
             None => Ok(()),

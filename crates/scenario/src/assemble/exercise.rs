@@ -3,14 +3,14 @@
 use fenderline_contact::number::lesser;
 use fenderline_sim::Setup;
 use fenderline_sim::berth::Berth;
-use fenderline_sim::exercise::{AnchorPlace, Condition, ExerciseSetup, Limit, Measure};
+use fenderline_sim::exercise::{AnchorPlace, BerthMark, Condition, ExerciseSetup, Limit, Measure};
 
 use super::assembly::listed;
 use super::assembly::{Assembly, Checked, Names};
 use fenderline_keys::checked::{Entry, Of};
 use fenderline_keys::held::{Number, Texts};
 use fenderline_keys::keys::exercise::{
-    ExerciseKey, ExerciseLimitKey, GoalWord, ScoreKey, limit_key,
+    ExerciseKey, ExerciseLimitKey, GoalWord, MarkKey, ScoreKey, limit_key,
 };
 use fenderline_keys::sources::quoted;
 use fenderline_keys::suggest::nearest;
@@ -38,9 +38,11 @@ impl Assembly<'_, '_> {
         let vessel = self.vessel_of_exercise(table, setup, names)?;
         let berth = self.berth_of_exercise(table, setup, vessel, names)?;
         let goal = self.goal(table, setup, vessel)?;
-        let limits = self.limits(table.given(ExerciseKey::LIMIT).table(), setup, berth)?;
+        let limits =
+            self.limits(table.given(ExerciseKey::LIMIT).table(), setup, (vessel, berth))?;
         let needs_berth = goal.iter().any(Condition::needs_berth)
-            || limits.iter().any(|limit| limit.measure.needs_berth());
+            || limits.iter().any(|limit| limit.measure.needs_berth())
+            || table.item(ExerciseKey::MARK).is_some();
         if needs_berth && berth.is_none() {
             let path = table.path_of(ExerciseKey::BERTH);
             let message = format!("`{path}`: no body without a vessel has fenders");
@@ -53,6 +55,7 @@ impl Assembly<'_, '_> {
                 .map_or_else(String::new, |item| item.text().to_owned()),
             vessel,
             berth,
+            mark: table.item(ExerciseKey::MARK).map(|item| mark(item.table(), setup, vessel)),
             goal,
             hold_s: *table.given(ExerciseKey::HOLD).number(),
             time_limit_s: table
@@ -300,12 +303,12 @@ impl Assembly<'_, '_> {
         &mut self,
         table: Of<'_, ExerciseLimitKey>,
         setup: &Setup,
-        berth: Option<Berth>,
+        of: (usize, Option<Berth>),
     ) -> Checked<Vec<Limit>> {
         let given = Measure::ALL.into_iter().filter_map(|measure| {
             table.item(limit_key(measure)).map(|item| (measure, item.table()))
         });
-        given.map(|(measure, limit)| self.limit(measure, limit, setup, berth)).collect()
+        given.map(|(measure, limit)| self.limit(measure, limit, setup, of)).collect()
     }
 
     fn limit(
@@ -313,7 +316,7 @@ impl Assembly<'_, '_> {
         measure: Measure,
         table: Of<'_, ScoreKey>,
         setup: &Setup,
-        berth: Option<Berth>,
+        (vessel, berth): (usize, Option<Berth>),
     ) -> Checked<Limit> {
         let is_structure = |(index, body): (usize, &fenderline_sim::BodySetup)| {
             body.is_fixed() && berth.is_none_or(|berth| berth.body != index)
@@ -329,6 +332,12 @@ impl Assembly<'_, '_> {
             self.note(
                 table,
                 "no effect: the limit is never exceeded, because `[environment]` has no `depth`",
+            );
+        }
+        if measure == Measure::CrossTrack && setup.world.vessels[vessel].plan.is_none() {
+            self.note(
+                table,
+                "no effect: the limit is never exceeded, because the ship has no passage plan",
             );
         }
         let number = |name: Key<_, Number>| table.item_if_any(name).map(|item| *item.number());
@@ -363,6 +372,18 @@ impl Assembly<'_, '_> {
 }
 
 /// The indices of a ship's mooring lines, which are the lines whose fairlead is on the ship.
+/// The mark of the berth for the docking board.
+fn mark(table: Of<'_, MarkKey>, setup: &Setup, vessel: usize) -> BerthMark {
+    let outline = &setup.bodies[setup.world.vessels[vessel].body].outline;
+    BerthMark {
+        name: table.item(MarkKey::NAME).map_or_else(String::new, |item| item.text().to_owned()),
+        at_m: *table.given(MarkKey::AT).vector(),
+        of_ship_m: table
+            .item(MarkKey::OF_SHIP)
+            .map_or_else(|| outline.bounds().1.x, |item| *item.number()),
+    }
+}
+
 fn own_lines(setup: &Setup, vessel: usize) -> impl Iterator<Item = usize> {
     let body = setup.world.vessels[vessel].body;
     let lines = setup.world.lines.iter().enumerate();

@@ -223,7 +223,7 @@ impl Assembly<'_, '_> {
     }
 
     /// Reads a whole number.
-    fn count<T>(&self, table: Of<'_, T>, key: Key<T, Number>) -> Checked<usize> {
+    pub(super) fn count<T>(&self, table: Of<'_, T>, key: Key<T, Number>) -> Checked<usize> {
         let item = table.given(key);
         let value = *item.number();
         if value.fract() != 0.0 {

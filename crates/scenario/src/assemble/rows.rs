@@ -1,8 +1,10 @@
 //! Turns the table of a row of fenders into the tables of the single fenders of the row. The tables of the single
 //! fenders keep the path of the row, so that errors and warnings name the row, its key and its line.
 
+mod bollards;
 pub(super) mod keys;
 mod places;
+mod quay;
 mod written;
 
 use std::collections::BTreeSet;
@@ -11,6 +13,8 @@ use fenderline_contact::{Vec2, vec2};
 use fenderline_sim::BodySetup;
 
 use self::places::Line;
+pub(super) use self::quay::ChartOf;
+use self::quay::Kind;
 pub(super) use self::written::rounded;
 use self::written::shown;
 use super::assembly::{Assembly, Checked, Names};
@@ -39,6 +43,7 @@ impl Assembly<'_, '_> {
         &mut self,
         file: Of<'_, ScenarioKey>,
         bodies: &[BodySetup],
+        chart: ChartOf<'_>,
         names: &Names,
     ) -> Checked<Vec<(String, Table)>> {
         let mut fenders = file.given(ScenarioKey::FENDER).named().to_vec();
@@ -48,7 +53,7 @@ impl Assembly<'_, '_> {
         }
         let mut known: BTreeSet<String> = fenders.iter().map(|(name, _)| name.clone()).collect();
         for (name, row) in rows {
-            for (name, fender) in self.row(name, row, bodies, names)? {
+            for (name, fender) in self.row(name, row, bodies, chart, names)? {
                 if !known.insert(name.clone()) {
                     let message = format!(
                         "`{}`: there is a fender named {} already",
@@ -70,11 +75,12 @@ impl Assembly<'_, '_> {
         name: &str,
         row: Of<'_, FenderRowKey>,
         bodies: &[BodySetup],
+        chart: ChartOf<'_>,
         names: &Names,
     ) -> Checked<Vec<(String, Table)>> {
         let stands = match row.item(FenderRowKey::DOLPHINS) {
             Some(dolphins) => self.on_dolphins(name, row, dolphins, bodies, names)?,
-            None => self.on_a_line(row, bodies, names)?,
+            None => self.on_a_line(row, bodies, chart, names)?,
         };
         let count = stands.len();
         let fender = |(index, stand): (usize, Stand)| {
@@ -128,6 +134,7 @@ impl Assembly<'_, '_> {
         &mut self,
         row: Of<'_, FenderRowKey>,
         bodies: &[BodySetup],
+        chart: ChartOf<'_>,
         names: &Names,
     ) -> Checked<Vec<Stand>> {
         let Some(on) = row.item(FenderRowKey::ON) else {
@@ -137,12 +144,27 @@ impl Assembly<'_, '_> {
                 "name the body that carries the row, or give `dolphins`",
             ));
         };
-        let outline = &bodies[self.body_named(row, on, on.name(), names)?].outline;
+        let body = &bodies[self.body_named(row, on, on.name(), names)?];
+        let outline = &body.outline;
+        let placed = row.read_as();
+        if let Some(item) = row.item(FenderRowKey::QUAY_LINE) {
+            let width_m = *row.given(FenderRowKey::WIDTH).number();
+            self.refuse_overlap(row, None, *row.given(FenderRowKey::SPACING).number())?;
+            let kind = Kind { word: "fender", width_m };
+            let mounts = self.along_quay_line(placed, item, kind, body, chart)?;
+            let stand = |mount: quay::Mount| Stand {
+                body: on.name().to_owned(),
+                position_m: mount.position_m,
+                facing_rad: mount.facing_rad(),
+            };
+            return Ok(mounts.into_iter().map(stand).collect());
+        }
+        let facing = row.item(FenderRowKey::FACING).map(|item| *item.number());
         let line = match row.item(FenderRowKey::WALL) {
-            Some(wall) => self.line_along_wall(row, wall, outline)?,
-            None => self.line_from_first(row, outline)?,
+            Some(wall) => self.line_along_wall(placed, wall, outline)?,
+            None => self.line_from_first(placed, facing, outline)?,
         };
-        self.refuse_overlap(row, &line)?;
+        self.refuse_overlap(row, Some(line.number), line.spacing_m)?;
         let places_m: Vec<Vec2> = line.places_m().collect();
         let ends_m = [places_m[0], places_m[places_m.len() - 1]];
         let facing_rad = match (row.item(FenderRowKey::FACING), line.edge) {
@@ -163,10 +185,16 @@ impl Assembly<'_, '_> {
         Ok(places_m.into_iter().map(stand).collect())
     }
 
-    fn refuse_overlap(&self, row: Of<'_, FenderRowKey>, line: &Line) -> Checked<()> {
+    /// Refuses faces that overlap; the number of fenders is `None` if the length of the line decides on the number.
+    fn refuse_overlap(
+        &self,
+        row: Of<'_, FenderRowKey>,
+        number: Option<usize>,
+        spacing_m: f64,
+    ) -> Checked<()> {
         let width = row.given(FenderRowKey::WIDTH);
-        let (width_m, spacing_m) = (*width.number(), line.spacing_m);
-        if line.number < 2 || width_m <= spacing_m {
+        let width_m = *width.number();
+        if number.is_some_and(|number| number < 2) || width_m <= spacing_m {
             return Ok(());
         }
         let path = row.path_of(FenderRowKey::WIDTH);

@@ -159,7 +159,7 @@ impl Assembly<'_, '_> {
     }
 
     /// A feature of the chart in words: its class and name, its number and file.
-    fn in_words(&self, table: Of<'_, ChartKey>, chart: &Chart, index: usize) -> String {
+    pub(super) fn in_words(&self, table: Of<'_, ChartKey>, chart: &Chart, index: usize) -> String {
         let feature = &chart.features[index];
         let file = &table.given(ChartKey::FILES).texts()[feature.place[0]];
         let name = if feature.name.is_empty() {

@@ -94,6 +94,12 @@ pub struct OnPlan {
 }
 
 impl OnPlan {
+    /// True between the first and the last waypoint; false before the first and after the last one.
+    #[must_use]
+    pub fn is_on_leg(&self) -> bool {
+        self.along_m >= 0.0 && self.to_waypoint_m >= 0.0
+    }
+
     /// Distance of the ship outside the corridor (m); `None` inside, or where the plan has no corridor.
     #[must_use]
     pub fn outside_m(&self) -> Option<f64> {

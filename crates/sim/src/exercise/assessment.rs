@@ -147,6 +147,16 @@ impl Assessment {
         goal.map(|condition| condition.look(&self.setup, simulation, lie)).collect()
     }
 
+    /// Distance along the berth that the ship has to go ahead until her place is abeam of the mark of the berth (m); negative
+    /// astern. `None` if the exercise has no mark.
+    #[must_use]
+    pub fn to_go_m(&self, simulation: &Simulation) -> Option<f64> {
+        let (berth, mark) = (self.setup.berth?, self.setup.mark.as_ref()?);
+        let states = simulation.states();
+        let ship = simulation.setup().world.vessels[self.setup.vessel].body;
+        Some(berth.to_go_m(&states[berth.body], &states[ship], (mark.at_m, mark.of_ship_m)))
+    }
+
     /// The exercise.
     #[must_use]
     pub fn setup(&self) -> &ExerciseSetup {

@@ -27,6 +27,9 @@ pub enum Measure {
     Clearance,
     /// Water under the ship's keel (m).
     UnderKeel,
+    /// Distance of the ship's midship from the track of her passage plan, to either side (m). It counts between the first
+    /// and the last waypoint.
+    CrossTrack,
     /// 1 if the ship's hull touched a structure or another hull without a fender between them, else 0.
     Touch,
     /// Time until the goal of the exercise is reached (s).
@@ -35,7 +38,7 @@ pub enum Measure {
 
 impl Measure {
     /// All measures.
-    pub const ALL: [Measure; 12] = [
+    pub const ALL: [Measure; 13] = [
         Measure::ApproachSpeed,
         Measure::AheadSpeed,
         Measure::Angle,
@@ -46,6 +49,7 @@ impl Measure {
         Measure::Dragged,
         Measure::Clearance,
         Measure::UnderKeel,
+        Measure::CrossTrack,
         Measure::Touch,
         Measure::Time,
     ];
@@ -64,6 +68,7 @@ impl Measure {
             Measure::Dragged => "dragged",
             Measure::Clearance => "clearance",
             Measure::UnderKeel => "under_keel",
+            Measure::CrossTrack => "cross_track",
             Measure::Touch => "touch",
             Measure::Time => "time",
         }
@@ -83,6 +88,7 @@ impl Measure {
             Measure::Dragged => "Way of a dragging anchor",
             Measure::Clearance => "Distance from structures",
             Measure::UnderKeel => "Water under the keel",
+            Measure::CrossTrack => "Distance from the planned track",
             Measure::Touch => "Touch without a fender",
             Measure::Time => "Time to the goal",
         }
@@ -97,7 +103,9 @@ impl Measure {
             Measure::Engine => format!("{:.0} % of full", 100.0 * value),
             Measure::Fender => format!("{:.0} % of rated", 100.0 * value),
             Measure::Line | Measure::Chain => force_share(value),
-            Measure::Dragged | Measure::Clearance | Measure::UnderKeel => metres(value),
+            Measure::Dragged | Measure::Clearance | Measure::UnderKeel | Measure::CrossTrack => {
+                metres(value)
+            }
             Measure::Touch if value > 0.0 => "touched".to_owned(),
             Measure::Touch => "none".to_owned(),
             Measure::Time => seconds(value),
@@ -110,7 +118,7 @@ impl Measure {
         match self {
             Measure::ApproachSpeed | Measure::AheadSpeed => "m/s",
             Measure::Angle => "rad",
-            Measure::Dragged | Measure::Clearance | Measure::UnderKeel => "m",
+            Measure::Dragged | Measure::Clearance | Measure::UnderKeel | Measure::CrossTrack => "m",
             Measure::Time => "s",
             Measure::Engine | Measure::Fender | Measure::Line | Measure::Chain | Measure::Touch => {
                 ""

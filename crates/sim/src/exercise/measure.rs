@@ -7,6 +7,7 @@ use super::clearance::distance_m;
 use super::limit::{Limit, Measure};
 use crate::berth::Lie;
 use crate::simulation::Simulation;
+use fenderline_ship::track::OnPlan;
 use fenderline_world::setup::Setup;
 use fenderline_world::world::{AnchorAtWork, LineEnd};
 
@@ -90,6 +91,11 @@ pub(super) fn worst_now(
         ),
         Measure::Clearance => clearance(body, exercise, simulation),
         Measure::UnderKeel => Some((vessel.under_keel_m?, Subject::Ship)),
+        Measure::CrossTrack => {
+            let ship = &simulation.setup().world.vessels[exercise.vessel];
+            let on = ship.on_plan(&simulation.states()[body]).filter(OnPlan::is_on_leg)?;
+            Some((on.cross_track_m.abs(), Subject::Ship))
+        }
         Measure::Touch => Some(touch(body, simulation)),
         Measure::Time => Some((simulation.time_s(), Subject::Ship)),
     }

@@ -28,10 +28,23 @@ pub use condition::{Condition, Fulfilled};
 pub use limit::{Limit, Measure};
 pub use measure::Subject;
 
+use fenderline_contact::Vec2;
+
 use crate::berth::Berth;
 
 /// The score of an exercise without a deduction.
 pub const FULL_SCORE: f64 = 100.0;
+
+/// A mark of a berth, such as a bollard, and the place of the ship that shall lie abeam of the mark, such as her bow.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BerthMark {
+    /// Name of the mark for the docking board, such as "Bow at bollard 9"; may be empty.
+    pub name: String,
+    /// Place of the mark in the frame of the body that carries the berth (m).
+    pub at_m: Vec2,
+    /// Place of the ship, forward of her body's origin (m).
+    pub of_ship_m: f64,
+}
 
 /// An exercise.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,6 +55,8 @@ pub struct ExerciseSetup {
     pub vessel: usize,
     /// The ship's berth; `None` if neither the goal nor the limits need a berth.
     pub berth: Option<Berth>,
+    /// The mark of the berth abeam of which the ship shall lie, for the docking board; the mark is no part of the goal.
+    pub mark: Option<BerthMark>,
     /// The conditions of the goal of the exercise. The goal is reached when all conditions hold.
     pub goal: Vec<Condition>,
     /// How long all conditions must hold without a break for the goal to be reached (s).

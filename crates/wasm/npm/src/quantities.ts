@@ -259,4 +259,12 @@ export interface VesselQuantities {
   min_under_keel_clearance_m?: number;
   /** time of this clearance [s] */
   min_under_keel_clearance_at_s?: number;
+  /** largest cross-track distance from the passage plan, between its first and last waypoint, positive to starboard [m] */
+  peak_cross_track_m?: number;
+  /** time of this cross-track distance [s] */
+  peak_cross_track_at_s?: number;
+  /** least clearance under a bridge or cable, squat included; negative: the vessel is too high [m] */
+  min_air_clearance_m?: number;
+  /** time of this clearance [s] */
+  min_air_clearance_at_s?: number;
 }

@@ -11,6 +11,7 @@ use crate::chart::Chart;
 use crate::factors::PartialFactors;
 use crate::limit::StatisticsSetup;
 use crate::order::Order;
+use crate::overhead::OverheadSetup;
 use fenderline_ship::passing::FlowSetup;
 
 /// Everything around the bodies of a [`crate::setup::Setup`]. The default has nothing around the bodies.
@@ -42,6 +43,8 @@ pub struct WorldSetup {
     pub providers: Vec<ProviderSetup>,
     /// The chart that pages draw behind the bodies. The chart has no effect on forces.
     pub chart: Chart,
+    /// Bridges and cables over the water, and the air draughts of the vessels.
+    pub overhead: OverheadSetup,
     /// The user's partial factors.
     pub factors: PartialFactors,
 }

@@ -1,6 +1,6 @@
 """Electronic charts, surveys and currents to the files that a scenario names.
 
-``python -m fenderline.charts US4MD81M.000 --area "-76.47,38.97,-76.43,39.00" -o annapolis/`` reads the cell with its updates and writes one
+``python -m fenderline.charts US4MD81M.000 --area "-76.42,38.36,-76.35,38.42" -o cove/`` reads the cell with its updates and writes one
 GeoJSON file for each class, with the names of S-57, and ``chart.toml``: the tables ``[chart]`` and ``[environment.bottom]`` of a scenario.
 A survey (GeoTIFF, BAG, NetCDF) is written as an ESRI ASCII grid in metres east and north of the origin. The current of a hydrodynamic model
 (NetCDF on regular, curvilinear and triangular meshes, SELAFIN) is written as the CSV file of ``[environment.current]``, by time and place.

@@ -8,6 +8,9 @@ use fenderline_sim::chart::{
 };
 use maud::{Markup, html};
 
+use crate::plot::plain;
+
+use super::depths::{DepthLimits, areas, depth_fill, safety_contour};
 use super::map::{Frame, Label, Map, Place};
 
 /// Half the size of a drawn buoy (px).
@@ -72,7 +75,7 @@ pub fn chart_labels(features: &[ChartFeature], frame: Frame) -> Vec<Label> {
 
 /// What a reader must know of the nautical chart: where the depth of the run comes from, and what of the chart is not
 /// drawn.
-pub fn chart_note(chart: &Chart, has_bottom: bool) -> Markup {
+pub fn chart_note(chart: &Chart, has_bottom: bool, limits: Option<&DepthLimits>) -> Markup {
     html! {
         p class="note" {
             @if has_bottom {
@@ -80,20 +83,44 @@ pub fn chart_note(chart: &Chart, has_bottom: bool) -> Markup {
             } @else {
                 "The chart is only drawn: the run uses the depth that the scenario gives. Depths are in metres."
             }
+            @if let Some(limits) = limits {
+                " Shades of the water, from dark to light: shallower than the draught of " (limits.ship) ", "
+                (plain(limits.draught_m, 4)) " m; not safe, to the bold safety contour at " (plain(limits.safety_m(), 4))
+                " m, with " (plain(limits.clearance_m, 4)) " m under the keel at chart datum; safe; deeper than "
+                (plain(limits.deep_m(), 4)) " m."
+            }
             @if let Some(left_out) = chart.left_out_in_words() { " Left out of the chart: " (left_out) "." }
         }
     }
 }
 
 /// Draws the features of the nautical chart, kind by kind in a fixed order.
-pub(super) fn charted(features: &[ChartFeature], map: &Map) -> Markup {
+pub(super) fn charted(
+    features: &[ChartFeature],
+    limits: Option<&DepthLimits>,
+    frame: Frame,
+    map: &Map,
+) -> Markup {
+    let is_of_depth = |kind: &ChartKind| kind.is_area_of_depth();
     let of = |kind| features.iter().filter(move |feature| feature.kind == kind);
+    let others = ChartKind::ALL.into_iter().filter(|kind| !is_of_depth(kind)).flat_map(of);
+    let contour =
+        limits.map_or_else(Vec::new, |limits| safety_contour(features, frame, limits.safety_m()));
     html! {
-        @for feature in ChartKind::ALL.into_iter().flat_map(of) {
+        @for feature in areas(features) {
+            @if let ChartShape::Area(rings) = &feature.shape {
+                (drawn(feature, limits, &rings_path(rings, map), true))
+            }
+        }
+        @if !contour.is_empty() {
+            path d=(contour.iter().map(|ends| map.path(ends)).collect::<String>()) fill="none"
+                stroke="#3b4a57" stroke-width="1.8" stroke-linecap="round" {}
+        }
+        @for feature in others {
             @match &feature.shape {
                 ChartShape::Point(at_m) => (point(feature, map.px(*at_m))),
-                ChartShape::Line(line) => (drawn(feature, &map.path(line), false)),
-                ChartShape::Area(rings) => (drawn(feature, &rings_path(rings, map), true)),
+                ChartShape::Line(line) => (drawn(feature, limits, &map.path(line), false)),
+                ChartShape::Area(rings) => (drawn(feature, limits, &rings_path(rings, map), true)),
             }
         }
     }
@@ -107,16 +134,21 @@ fn rings_path(rings: &[Vec<Vec2>], map: &Map) -> String {
     path
 }
 
-fn drawn(feature: &ChartFeature, path: &str, is_area: bool) -> Markup {
+fn drawn(
+    feature: &ChartFeature,
+    limits: Option<&DepthLimits>,
+    path: &str,
+    is_area: bool,
+) -> Markup {
     let depth_m = feature.depth_m.unwrap_or(0.0);
     let (fill, stroke, width, dashes) = match feature.kind {
         ChartKind::Coverage => ("none", "none", "0", ""),
-        ChartKind::DepthArea => (depth_fill(depth_m), "none", "0", ""),
-        ChartKind::DredgedArea => (depth_fill(depth_m), "#6d9cbf", "0.8", "6 3"),
+        ChartKind::DepthArea => (depth_fill(depth_m, limits), "none", "0", ""),
+        ChartKind::DredgedArea => (depth_fill(depth_m, limits), "#6d9cbf", "0.8", "6 3"),
         ChartKind::UnsurveyedArea => ("#dcdcdc", "none", "0", ""),
         ChartKind::DepthContour => ("none", "#6d9cbf", "0.8", ""),
         ChartKind::Rock | ChartKind::Obstruction | ChartKind::Wreck => {
-            (depth_fill(depth_m), "#222", "0.8", "2 2")
+            (depth_fill(depth_m, limits), "#222", "0.8", "2 2")
         }
         ChartKind::Quay
         | ChartKind::Pontoon
@@ -133,17 +165,6 @@ fn drawn(feature: &ChartFeature, path: &str, is_area: bool) -> Markup {
     html! {
         path d=(path) fill=(if is_area { fill } else { "none" }) fill-rule="evenodd" stroke=(stroke)
             stroke-width=(width) stroke-dasharray=(dashes) {}
-    }
-}
-
-/// Fill colour of a charted depth: shallow water is darker, as on a paper chart.
-fn depth_fill(depth_m: f64) -> &'static str {
-    match depth_m {
-        depth if depth < 0.0 => "#cfd8a8",
-        depth if depth < 5.0 => "#a8d0ea",
-        depth if depth < 10.0 => "#c6e0f1",
-        depth if depth < 20.0 => "#e0eff8",
-        _ => "#f4fafd",
     }
 }
 

@@ -6,6 +6,7 @@ use fenderline_sim::chart::ChartFeature;
 use maud::{Markup, html};
 
 use super::box2::{Box2, HALF_LINE};
+use super::depths::DepthLimits;
 use super::map::Map;
 use super::passing::{self, PassingDrawn};
 use super::planned::PlannedDrawn;
@@ -15,6 +16,8 @@ use super::planned::PlannedDrawn;
 pub struct Harbour {
     /// Features of the nautical chart, drawn below everything else.
     pub chart: Vec<ChartFeature>,
+    /// Depths at which the shades of the chart change; `None` if there is no ship.
+    pub limits: Option<DepthLimits>,
     /// Mooring lines.
     pub lines: Vec<LineDrawn>,
     /// Chains of anchors on the bottom, each from hawse pipe to anchor (m).

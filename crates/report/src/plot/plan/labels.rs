@@ -227,6 +227,7 @@ mod tests {
             fenders,
             harbour: Harbour {
                 chart: Vec::new(),
+                limits: None,
                 lines: (0..24).map(line).collect(),
                 anchors: Vec::new(),
                 tugs: (0..6).map(tug).collect(),

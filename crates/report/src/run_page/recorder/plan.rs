@@ -1,9 +1,9 @@
 //! Records a vessel's way along her passage plan.
 
+use fenderline_contact::BodyState;
 use fenderline_contact::number::{greater, lesser};
-use fenderline_contact::{BodyState, vec2};
-use fenderline_sim::VesselSetup;
 use fenderline_sim::track::PassagePlan;
+use fenderline_sim::{Soundings, VesselSetup};
 
 use crate::plot::Decimator;
 
@@ -14,11 +14,12 @@ pub(in crate::run_page) struct PlanTrace {
     pub(in crate::run_page) cross_track_m: Decimator,
     /// Speed over ground by distance along the track (m/s, m).
     pub(in crate::run_page) speed_mps: Decimator,
+    /// Least under-keel clearance of the forward and of the after half by distance along the track (m), squat included;
+    /// empty in deep water.
+    pub(in crate::run_page) under_keel_m: [Decimator; 2],
     pub(in crate::run_page) legs: Vec<LegTrace>,
     farthest_m: f64,
-    plan: PassagePlan,
-    /// Distance of the body's origin ahead of midship (m).
-    ahead_m: f64,
+    ship: VesselSetup,
 }
 
 /// What happened on a leg.
@@ -35,26 +36,38 @@ pub(in crate::run_page) struct LegTrace {
 impl PlanTrace {
     pub(super) fn new(plan: &PassagePlan, vessel: &VesselSetup) -> PlanTrace {
         PlanTrace {
-            plan: plan.clone(),
-            ahead_m: vessel.ship.particulars.centre_of_gravity_m,
+            ship: vessel.clone(),
             cross_track_m: Decimator::new(),
             speed_mps: Decimator::new(),
+            under_keel_m: Default::default(),
             legs: vec![LegTrace::default(); plan.legs().len()],
             farthest_m: f64::NEG_INFINITY,
         }
     }
 
-    pub(super) fn push(&mut self, t_s: f64, state: &BodyState) {
-        let on = self.plan.at(state.pose().apply(vec2(-self.ahead_m, 0.0)));
+    /// Adds a step that began at `t_s`, with the state of the vessel, her squat (m) and the depths under her.
+    pub(super) fn push(
+        &mut self,
+        t_s: f64,
+        state: &BodyState,
+        (squat_m, soundings): (f64, &Soundings),
+    ) {
+        let Some(on) = self.ship.on_plan(state) else { return };
+        let clearances_m = self.ship.clearances_m(squat_m, soundings);
         let speed_mps = state.velocity_mps.length();
         // Before the first waypoint and after the last one the vessel is on no leg: at the berth the plan is over.
-        if on.along_m < 0.0 || on.to_waypoint_m < 0.0 {
+        if !on.is_on_leg() {
             return;
         }
         if on.along_m > self.farthest_m {
             self.farthest_m = on.along_m;
             self.cross_track_m.push(on.along_m, on.cross_track_m);
             self.speed_mps.push(on.along_m, speed_mps);
+            for (trace, clearance_m) in self.under_keel_m.iter_mut().zip(clearances_m) {
+                if let Some(clearance_m) = clearance_m {
+                    trace.push(on.along_m, clearance_m);
+                }
+            }
         }
         let leg = &mut self.legs[on.leg];
         match &mut leg.times_s {

@@ -1,16 +1,18 @@
 //! Mooring lines, tugs, wind, current and waves of a plan view, and the view of the moored ship.
 
+use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Vec2, vec2};
 use fenderline_sim::constants::KNOT_MPS;
 use fenderline_sim::environment::Bank;
 use fenderline_sim::environment::current::Current;
-use fenderline_sim::{Environment, LineEnd, Setup};
+use fenderline_sim::exercise::{Assessment, Measure};
+use fenderline_sim::{Environment, LineEnd, Setup, VesselSetup};
 use maud::{Markup, html};
 
 use super::bodies::{NAME_LENGTH, body_label, joined, middle, outlined, styles};
 use crate::plot::{
-    Frame, Harbour, Label, LineDrawn, PassingDrawn, Place, Plan, PlannedDrawn, Stage, TugDrawn,
-    Weather, chart_labels, charted_in, fixed, plain, shortened, significant,
+    DepthLimits, Frame, Harbour, Label, LineDrawn, PassingDrawn, Place, Plan, PlannedDrawn, Stage,
+    TugDrawn, Weather, chart_labels, charted_in, fixed, plain, shortened, significant,
 };
 use crate::run_page::fenders::boxes;
 use crate::run_page::recorder::{Recorder, TugMark, WindTrace, both};
@@ -85,12 +87,47 @@ fn tugs(setup: &Setup, marks: &[TugMark]) -> Vec<TugDrawn> {
     drawn.collect()
 }
 
+/// The clearance under the keel with which water counts as safe, if no exercise limits the clearance (m). The page of a
+/// live session begins with the same clearance.
+const USUAL_CLEARANCE_M: f64 = 1.5;
+
+/// Depths at which the shades of the chart change: for the ship of the exercise; without an exercise for the ship with
+/// a passage plan, or else for the ship with the largest draught. `None` if there is no vessel.
+pub(in crate::run_page) fn depth_limits(outcome: &Outcome<'_>) -> Option<DepthLimits> {
+    let setup = outcome.setup;
+    let exercise = outcome.exercise.map(Assessment::setup);
+    let vessels = &setup.world.vessels;
+    let draught_m = |vessel: &VesselSetup| vessel.ship.particulars.draught_m;
+    let of_exercise = exercise.and_then(|of| vessels.get(of.vessel));
+    let ship = of_exercise
+        .or_else(|| vessels.iter().find(|vessel| vessel.plan.is_some()))
+        .or_else(|| {
+            // Of equal draughts the first counts.
+            vessels.iter().reduce(
+                |most, next| {
+                    if draught_m(next) > draught_m(most) { next } else { most }
+                },
+            )
+        })?;
+    let limits = exercise.into_iter().flat_map(|of| &of.limits);
+    let clearance_m = limits
+        .filter(|limit| limit.measure == Measure::UnderKeel)
+        .map(|limit| limit.bound)
+        .reduce(greater);
+    Some(DepthLimits {
+        ship: setup.bodies[ship.body].name.clone(),
+        draught_m: draught_m(ship),
+        clearance_m: clearance_m.unwrap_or(USUAL_CLEARANCE_M),
+    })
+}
+
 /// The tugs at the moment of the peak force (or at the end of a run without contact), and the weather.
 pub(super) fn around(outcome: &Outcome<'_>, recorder: &Recorder, frame: Frame) -> Harbour {
     let setup = outcome.setup;
     let marks = recorder.peak.as_ref().map_or(&recorder.last_tugs, |peak| &peak.tugs);
     Harbour {
         chart: charted_in(&setup.world.chart.features, frame),
+        limits: depth_limits(outcome),
         lines: lines_at_peak(outcome, recorder),
         anchors: anchors(outcome).map(|(chain_m, _)| chain_m).collect(),
         tugs: tugs(setup, marks),
@@ -282,6 +319,7 @@ pub(in crate::run_page) fn moored(outcome: &Outcome<'_>, recorder: &Recorder) ->
         fenders: boxes(outcome, &[], |body| Some(&states[body])),
         harbour: Harbour {
             chart: charted_in(&setup.world.chart.features, frame),
+            limits: depth_limits(outcome),
             lines: lines.clone(),
             anchors: anchors(outcome).map(|(chain_m, _)| chain_m).collect(),
             tugs: tugs(setup, &marks),

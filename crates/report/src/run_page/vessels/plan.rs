@@ -1,26 +1,33 @@
 //! The report's section on passage plans: a table of the legs, and the way along the plan.
 
+use fenderline_contact::number::greater;
+use fenderline_sim::VesselSetup;
 use fenderline_sim::constants::KNOT_MPS;
+use fenderline_sim::exercise::{Assessment, Measure};
 use fenderline_sim::track::PassagePlan;
 use maud::{Markup, html};
 
-use crate::plot::{Axis, Chart, Point, Series, fixed, waypoint_name};
+use crate::plot::{Axis, Chart, Point, Reference, Series, fixed, waypoint_name};
 use crate::run_page::recorder::{LegTrace, PlanTrace, Recorder};
 use crate::{Head, table_head};
 use fenderline_results::Outcome;
+
+/// The under-keel clearance, as a share of the draught, below which a live session cautions.
+const CAUTION: f64 = 0.1;
 
 /// The sections of the vessels that have a passage plan.
 pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     let vessels = outcome.setup.world.vessels.iter().zip(&recorder.world.vessels);
     let planned = vessels.filter_map(|(vessel, trace)| {
         let name = outcome.setup.bodies[vessel.body].name.as_str();
-        Some((name, vessel.plan.as_ref()?, trace.plan.as_ref()?))
+        Some((vessel, name, vessel.plan.as_ref()?, trace.plan.as_ref()?))
     });
     html! {
-        @for (name, plan, trace) in planned {
+        @for (vessel, name, plan, trace) in planned {
             h3 { "Passage plan " (plan.name) ", " (name) }
             (legs(plan, trace))
             (cross_track(name, plan, trace))
+            (under_keel((outcome, vessel), name, plan, trace))
             (speed(name, plan, trace))
         }
     }
@@ -138,6 +145,43 @@ fn cross_track(name: &str, plan: &PassagePlan, trace: &PlanTrace) -> Markup {
     let title = format!("Cross-track distance along the plan, positive to starboard, {name}");
     let mut chart = along(title, plan, Axis::new("distance", "m").including(0.0), series);
     chart.note = waypoints_note(plan);
+    html! { (chart.render()) }
+}
+
+/// The clearances under the keel along the plan, with the limit of the exercise, or with that of the cautions if the
+/// exercise has no such limit. Empty in deep water.
+fn under_keel(
+    (outcome, vessel): (&Outcome<'_>, &VesselSetup),
+    name: &str,
+    plan: &PassagePlan,
+    trace: &PlanTrace,
+) -> Markup {
+    let [fore, aft] = &trace.under_keel_m;
+    let series = vec![
+        Series::line("forward half", fore.points()),
+        Series::line("after half", aft.points()).styled(1),
+    ];
+    if fore.points().is_empty() {
+        return html! {};
+    }
+    let title = format!("Least clearance under the keel along the plan, squat included, {name}");
+    let axis = Axis::new("clearance", "m").including(0.0);
+    let mut chart = along(title, plan, axis, series);
+    let is_own = |exercise: &&Assessment| {
+        outcome.setup.world.vessels[exercise.setup().vessel].body == vessel.body
+    };
+    let limits = outcome.exercise.filter(is_own).into_iter().flat_map(|of| &of.setup().limits);
+    let limit = limits.filter(|limit| limit.measure == Measure::UnderKeel).map(|limit| limit.bound);
+    let caution_m = CAUTION * vessel.ship.particulars.draught_m;
+    let (label, value) = match limit.reduce(greater) {
+        Some(bound_m) => ("limit of the exercise", bound_m),
+        None => ("a tenth of her draught", caution_m),
+    };
+    chart.references = vec![Reference { label: label.to_owned(), value }];
+    chart.note = format!(
+        "The clearance is the least of the stations under each half, midship included, without trim and waves. {}",
+        waypoints_note(plan)
+    );
     html! { (chart.render()) }
 }
 

@@ -4,6 +4,7 @@ use fenderline_sim::constants::KNOT_MPS;
 use fenderline_sim::environment::BankMethod;
 use fenderline_sim::environment::waves::MotionResponse;
 use fenderline_sim::hydro::vessels::{Origin, Source, Standing};
+use fenderline_sim::overhead::OverheadSetup;
 use fenderline_sim::{Environment, VesselSetup};
 use maud::{Markup, html};
 
@@ -46,6 +47,7 @@ pub(super) fn vessels(outcome: &Outcome<'_>) -> Markup {
         }
         @for (vessel, totals) in setup.world.vessels.iter().zip(&world.vessels).take(ROWS) {
             (under_keel(&setup.bodies[vessel.body].name, totals, &setup.world.environment))
+            (under_bridges(&setup.bodies[vessel.body].name, totals, &setup.world.overhead))
         }
         (banks(&setup.world.environment))
     }
@@ -163,6 +165,20 @@ fn under_keel(name: &str, totals: &VesselTotals, environment: &Environment) -> M
                     (plain(totals.squat_m.at_s, 6)) " s, by " (squat.name())
                     ", a formula of open water that is " strong { "not validated" }
                 }
+                "."
+            }
+        }
+    }
+}
+
+/// The least clearance under a bridge or cable, if the vessel passed under one.
+fn under_bridges(name: &str, totals: &VesselTotals, overhead: &OverheadSetup) -> Markup {
+    html! {
+        @if let Some((least, structure)) = totals.air_clearance_m {
+            p class="note" {
+                (name) ": minimum clearance under a bridge or cable " (fixed(least.value, 2)) " m at "
+                (plain(least.at_s, 6)) " s, under the " (overhead.structures[structure].name)
+                @if least.value < 0.0 { ": " strong { "she is too high" } }
                 "."
             }
         }

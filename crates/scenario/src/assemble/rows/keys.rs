@@ -9,21 +9,23 @@ use fenderline_keys::typed_key::AnyKey;
 
 type RowKey = AnyKey<FenderRowKey>;
 
-const NOT_TOGETHER: [(RowKey, &[RowKey]); 2] = [
+const NOT_TOGETHER: [(RowKey, &[RowKey]); 3] = [
     (
         FenderRowKey::DOLPHINS.any(),
-        any_keys![FenderRowKey: ON, WALL, FROM_CORNER, LAST, SPACING, NUMBER],
+        any_keys![FenderRowKey: ON, WALL, QUAY_LINE, FROM_CORNER, LAST, SPACING, NUMBER],
     ),
+    (FenderRowKey::QUAY_LINE.any(), any_keys![FenderRowKey: WALL, FIRST, LAST, FACING]),
     (FenderRowKey::WALL.any(), any_keys![FenderRowKey: FIRST, LAST]),
 ];
-const ONLY_WITH: [&[RowKey; 2]; 4] = [
-    any_keys![FenderRowKey: OUTLINE, DOLPHINS],
-    any_keys![FenderRowKey: HEADING, DOLPHINS],
-    any_keys![FenderRowKey: DOLPHIN, DOLPHINS],
-    any_keys![FenderRowKey: FROM_CORNER, WALL],
+const ONLY_WITH: [(RowKey, &[RowKey]); 4] = [
+    (FenderRowKey::OUTLINE.any(), any_keys![FenderRowKey: DOLPHINS]),
+    (FenderRowKey::HEADING.any(), any_keys![FenderRowKey: DOLPHINS]),
+    (FenderRowKey::DOLPHIN.any(), any_keys![FenderRowKey: DOLPHINS]),
+    (FenderRowKey::FROM_CORNER.any(), any_keys![FenderRowKey: WALL, QUAY_LINE]),
 ];
-const NEEDS: [(RowKey, &[RowKey]); 2] = [
+const NEEDS: [(RowKey, &[RowKey]); 3] = [
     (FenderRowKey::DOLPHINS.any(), any_keys![FenderRowKey: OUTLINE]),
+    (FenderRowKey::QUAY_LINE.any(), any_keys![FenderRowKey: SPACING]),
     (FenderRowKey::WALL.any(), any_keys![FenderRowKey: SPACING, NUMBER]),
 ];
 
@@ -43,10 +45,12 @@ pub(crate) fn check_placing(
             return refuse(item, message, "keep only one of the two keys");
         }
     }
-    for &[name, with] in ONLY_WITH {
-        if let (Some(item), None) = (row.item(name), row.item(with)) {
-            let message = format!("`{}` is for rows with `{with}`", row.path_to(item));
-            return refuse(item, message, &format!("remove `{name}` or give `{with}`"));
+    for (name, with) in ONLY_WITH {
+        if let (Some(item), None) = (row.item(name), row.first_of(with)) {
+            let words: Vec<String> = with.iter().map(|key| format!("`{key}`")).collect();
+            let with = words.join(" or ");
+            let message = format!("`{}` is for rows with {with}", row.path_to(item));
+            return refuse(item, message, &format!("remove `{name}` or give {with}"));
         }
     }
     for (name, needs) in NEEDS {

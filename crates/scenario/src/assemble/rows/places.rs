@@ -7,7 +7,8 @@ use crate::assemble::assembly::{Assembly, Checked};
 use crate::assemble::edge::{Edge, edges_with};
 use fenderline_keys::checked::{Entry, Of};
 use fenderline_keys::held::{Number, Points, Vector};
-use fenderline_keys::keys::fender_row::{FenderRowKey, MOST_IN_ROW};
+use fenderline_keys::keys::fender_row::MOST_IN_ROW;
+use fenderline_keys::keys::quay_line::RowKey;
 
 /// The places of the fenders of a row on a straight line.
 pub(super) struct Line {
@@ -74,22 +75,18 @@ impl Assembly<'_, '_> {
     /// The places of the fenders in a row that begins at the place of the key `first`.
     pub(super) fn line_from_first(
         &self,
-        row: Of<'_, FenderRowKey>,
+        row: Of<'_, RowKey>,
+        facing_rad: Option<f64>,
         outline: &Outline,
     ) -> Checked<Line> {
-        let Some(first) = row.item(FenderRowKey::FIRST) else {
-            let help =
-                "give the place of the first fender in `first`, or give a `wall` or `dolphins`";
-            return Err(self.missing(row, FenderRowKey::FIRST, help));
+        let Some(first) = row.item(RowKey::FIRST) else {
+            let help = "give the place of the first one in `first`, or give a `wall`, a `quay_line` or `dolphins`";
+            return Err(self.missing(row, RowKey::FIRST, help));
         };
         let first_m = *first.vector();
-        match (
-            row.item(FenderRowKey::SPACING),
-            row.item(FenderRowKey::NUMBER),
-            row.item(FenderRowKey::LAST),
-        ) {
+        match (row.item(RowKey::SPACING), row.item(RowKey::NUMBER), row.item(RowKey::LAST)) {
             (Some(spacing), Some(number), None) => {
-                let (along, edge) = self.direction(row, first, outline)?;
+                let (along, edge) = self.direction(row, facing_rad, first, outline)?;
                 let number = self.whole_number(row, number)?;
                 let spacing_m = *spacing.number();
                 Ok(Line { first_m, along, spacing_m, number, edge, is_in_the_middle: false })
@@ -98,14 +95,14 @@ impl Assembly<'_, '_> {
                 self.line_to_last(row, first_m, last, outline)
             }
             (Some(_), Some(_), Some(last)) => {
-                let path = row.path_of(FenderRowKey::LAST);
+                let path = row.path_of(RowKey::LAST);
                 let message = format!("`{path}` does not go together with `spacing` and `number`");
                 Err(one_of_two(self.sources.error(&last.key_span, &path, message)))
             }
             (spacing, _, _) => {
                 let missing = match spacing {
-                    Some(_) => FenderRowKey::NUMBER,
-                    None => FenderRowKey::SPACING,
+                    Some(_) => RowKey::NUMBER,
+                    None => RowKey::SPACING,
                 };
                 Err(one_of_two(self.missing(row, missing, "")))
             }
@@ -114,23 +111,23 @@ impl Assembly<'_, '_> {
 
     fn line_to_last(
         &self,
-        row: Of<'_, FenderRowKey>,
+        row: Of<'_, RowKey>,
         first_m: Vec2,
         last: Entry<'_, Vector>,
         outline: &Outline,
     ) -> Checked<Line> {
         let whole_m = *last.vector() - first_m;
         let length_m = whole_m.length();
-        let path = row.path_of(FenderRowKey::LAST);
+        let path = row.path_of(RowKey::LAST);
         if length_m <= 0.0 {
             let message = format!("`{path}` is at the place of the first fender");
             return Err(self.sources.error(&last.span, &path, message));
         }
-        let (spacing_m, number) = match row.item(FenderRowKey::NUMBER) {
+        let (spacing_m, number) = match row.item(RowKey::NUMBER) {
             Some(item) => {
                 let number = self.whole_number(row, item)?;
                 if number < 2 {
-                    let path = row.path_of(FenderRowKey::NUMBER);
+                    let path = row.path_of(RowKey::NUMBER);
                     let message =
                         format!("`{path}` must be at least 2 for a row from `first` to `last`");
                     return Err(self.sources.error(&item.span, &path, message));
@@ -138,7 +135,7 @@ impl Assembly<'_, '_> {
                 (length_m / (number - 1) as f64, number)
             }
             None => {
-                let spacing_m = *row.given(FenderRowKey::SPACING).number();
+                let spacing_m = *row.given(RowKey::SPACING).number();
                 let gaps = libm::round(length_m / spacing_m);
                 if (gaps * spacing_m - length_m).abs() > 0.01 || gaps + 1.0 > MOST_IN_ROW as f64 {
                     let message = format!(
@@ -164,13 +161,12 @@ impl Assembly<'_, '_> {
     /// The direction of a row of fenders without the key `last`, and the edge along which the row runs.
     fn direction(
         &self,
-        row: Of<'_, FenderRowKey>,
+        row: Of<'_, RowKey>,
+        facing_rad: Option<f64>,
         first: Entry<'_, Vector>,
         outline: &Outline,
     ) -> Checked<(Vec2, Option<Edge>)> {
-        let facing = row
-            .item(FenderRowKey::FACING)
-            .map(|item| Rotation::from_angle(*item.number()).apply(vec2(1.0, 0.0)));
+        let facing = facing_rad.map(|rad| Rotation::from_angle(rad).apply(vec2(1.0, 0.0)));
         let edges = edges_with(outline, &[*first.vector()]);
         let edge = match (edges.as_slice(), facing) {
             ([edge], _) => Some(*edge),
@@ -185,7 +181,7 @@ impl Assembly<'_, '_> {
         if let Some(facing) = facing {
             return Ok((forward(facing.quarter_turn()), None));
         }
-        let path = row.path_of(FenderRowKey::FIRST);
+        let path = row.path_of(RowKey::FIRST);
         let message = match edges.len() {
             0 => format!(
                 "`{path}`: {} is not on the outline of the body, so the direction of the row is \
@@ -204,12 +200,12 @@ impl Assembly<'_, '_> {
     /// The places of the fenders in a row along a wall.
     pub(super) fn line_along_wall(
         &self,
-        row: Of<'_, FenderRowKey>,
+        row: Of<'_, RowKey>,
         wall: Entry<'_, Points>,
         outline: &Outline,
     ) -> Checked<Line> {
         let [from_m, to_m] = [wall.outline()[0], wall.outline()[1]];
-        let path = row.path_of(FenderRowKey::WALL);
+        let path = row.path_of(RowKey::WALL);
         let edges = edges_with(outline, &[from_m, to_m]);
         let length_m = (to_m - from_m).length();
         let (Some(edge), true) = (edges.first(), length_m > 0.02) else {
@@ -224,12 +220,11 @@ impl Assembly<'_, '_> {
             );
         };
         let along = (to_m - from_m) * (1.0 / length_m);
-        let spacing_m = *row.given(FenderRowKey::SPACING).number();
-        let number = self.whole_number(row, row.given(FenderRowKey::NUMBER))?;
+        let spacing_m = *row.given(RowKey::SPACING).number();
+        let number = self.whole_number(row, row.given(RowKey::NUMBER))?;
         let row_m = spacing_m * (number - 1) as f64;
-        let start_m = row
-            .item(FenderRowKey::FROM_CORNER)
-            .map_or(0.5 * (length_m - row_m), |item| *item.number());
+        let start_m =
+            row.item(RowKey::FROM_CORNER).map_or(0.5 * (length_m - row_m), |item| *item.number());
         // The wall may be a part of the edge: the row must not reach beyond the wall.
         let edge = Edge { along, length_m, from_m, ..*edge };
         Ok(Line {
@@ -238,11 +233,15 @@ impl Assembly<'_, '_> {
             spacing_m,
             number,
             edge: Some(edge),
-            is_in_the_middle: row.item(FenderRowKey::FROM_CORNER).is_none(),
+            is_in_the_middle: row.item(RowKey::FROM_CORNER).is_none(),
         })
     }
 
-    fn whole_number<T>(&self, row: Of<'_, T>, item: Entry<'_, Number>) -> Checked<usize> {
+    pub(super) fn whole_number<T>(
+        &self,
+        row: Of<'_, T>,
+        item: Entry<'_, Number>,
+    ) -> Checked<usize> {
         let number = *item.number();
         if libm::trunc(number) == number {
             // The key table bounds the number.
