@@ -1,9 +1,10 @@
 /**
  * The view out of the window in a browser that draws on the processor: each camera draws something and throws nothing; drawings
- * a second and script a drawing are printed. Without WebGL, and when the graphics stop, the page says so and stays usable. In
- * CI, where other programs run beside, times decide nothing.
+ * a second and script a drawing are printed. Without WebGL, and when the graphics stop, the page says so and stays usable. Where
+ * other programs run beside, as in CI, times decide nothing.
  */
 import { mkdirSync } from "node:fs";
+import { cpus, loadavg } from "node:os";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
@@ -14,7 +15,8 @@ const SIZE = { width: 1280, height: 720 };
 const CAMERAS = ["Bridge", "Port wing", "Stb wing", "Bow", "Stern", "Tug", "Bollard", "Free"];
 const MOST_SCRIPT_MS = 4;
 const LEAST_FPS = 8;
-const TIMES_DECIDE = !process.env.CI;
+/** Times decide where nothing else keeps the processors busy: the browser itself keeps about two of them. */
+const timesDecide = (): boolean => !process.env.CI && (loadavg()[0] ?? 0) < cpus().length + 2;
 
 const HARBOUR = new URL("../../scenarios/live/harbour.toml", import.meta.url).pathname;
 const errors: string[] = [];
@@ -112,7 +114,7 @@ test("each camera draws a picture, by day, at dusk and at night", async () => {
   console.log(
     `${(1000 / best.interval).toFixed(1)} drawings a second on the processor, ${best.script.toFixed(2)} ms of script a drawing`,
   );
-  if (TIMES_DECIDE) {
+  if (timesDecide()) {
     expect(best.script).toBeLessThan(MOST_SCRIPT_MS);
     expect(1000 / best.interval).toBeGreaterThan(LEAST_FPS);
   }

@@ -25,10 +25,9 @@ export const lampHeight = (feature: ChartInfo): number =>
 /** Draws a mark at a place [north, east] about the origin. */
 export function mark(feature: ChartInfo, at: Pair, to: Solids): void {
   const layers = bands(feature, COLOURS).map(number);
-  const main = layers[0] ?? 0xdddddd;
   if (feature.kind === "buoy") buoy(feature, at, layers, to);
   else if (feature.kind === "beacon") beacon(feature, at, layers, to);
-  else if (feature.kind === "light") tower(at, main, to);
+  else if (feature.kind === "light") tower(at, to);
 }
 
 const above = ([n, e]: Pair, up: number): Spot => [n, e, up];
@@ -132,7 +131,7 @@ function beacon(feature: ChartInfo, at: Pair, layers: Colour[], to: Solids): voi
   topmark(feature, at, BEACON_LIGHT_M + 0.2, to);
 }
 
-function tower(at: Pair, _colour: Colour, to: Solids): void {
+function tower(at: Pair, to: Solids): void {
   to.post(above(at, 0), above(at, 3), 2.4, 0x8b8880, { sides: 16 });
   layered(at, [3, 12.6], (share) => 1.6 - 0.5 * share, [0xe6e4dd], to);
   to.post(above(at, 12.6), above(at, 12.85), 1.8, 0x4b5154, { sides: 16 });

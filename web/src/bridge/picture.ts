@@ -141,14 +141,11 @@ export class Picture {
     this.glows.scale(height * ratio);
   }
 
-  dispose(): void {
-    this.clear();
-    this.renderer.dispose();
-  }
-
   private clear(): void {
     this.built.traverse((each) => {
-      if (each instanceof Mesh) each.geometry.dispose();
+      if (!(each instanceof Mesh)) return;
+      each.geometry.dispose();
+      for (const material of [each.material].flat()) material.dispose();
     });
     this.built.clear();
   }
