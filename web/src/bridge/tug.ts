@@ -27,7 +27,7 @@ export function tugParts(ship: Arrangement, paint: Paint, { painted, panes }: Pa
       const fore = (a - hull.aft_m) / length_m > 0.8;
       const spot = (f: number): Spot => {
         const [x, y] = at(f, hull.deck_m(f), side);
-        return [x, y, hull.deck_m(f) - 0.15 * small];
+        return [x, y, hull.deck_m(f) - 0.45 * small];
       };
       painted.post(spot(a), spot(b), (fore ? 0.48 : 0.26) * small, RUBBER, {
         sides: 8,
@@ -35,13 +35,23 @@ export function tugParts(ship: Arrangement, paint: Paint, { painted, panes }: Pa
       });
       if (fore) {
         const lower = (f: number): Spot => {
-          const up = hull.deck_m(f) - 1.05 * small;
+          const up = hull.deck_m(f) - 1.3 * small;
           const [x, y] = at(f, up, side);
           return [x, y, up];
         };
         painted.post(lower(a), lower(b), 0.42 * small, RUBBER, { sides: 8, caps: false });
       }
     }
+  // The belt goes round a bow that ends flat.
+  for (const [down, radius] of [
+    [0.45, 0.48],
+    [1.3, 0.42],
+  ] as const) {
+    const up = hull.deck_m(hull.fore_m) - down * small;
+    painted.post(at(hull.fore_m, up, -1), at(hull.fore_m, up, 1), radius * small, RUBBER, {
+      sides: 8,
+    });
+  }
   // Tyres along the sides.
   for (const side of [1, -1] as const)
     for (let share = 0.14; share < 0.78; share += 0.085) {
