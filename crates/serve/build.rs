@@ -1,5 +1,5 @@
 //! Embeds the pages of `web` in the program. If the built pages are missing or older than their sources, npm builds
-//! them first. Without Node or its packages, the program is built without pages, and says so when it serves.
+//! them first. The program has the pages compressed with gzip, as `web/scripts/pack.mjs` writes them. Without Node or its packages, the program is built without pages, and says so when it serves.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -8,14 +8,14 @@ use std::process::{Command, Stdio};
 use std::time::SystemTime;
 
 /// Folders in `web` that hold no sources of the live server's pages.
-const NOT_SOURCES: [&str; 7] =
-    ["node_modules", "dist", "e2e", "e2e-page", "run", "test", "screenshots"];
+const NOT_SOURCES: [&str; 8] =
+    ["node_modules", "dist", "packed", "e2e", "e2e-page", "run", "test", "screenshots"];
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");
     let out = PathBuf::from(std::env::var_os("OUT_DIR").expect("cargo sets OUT_DIR"));
     let web = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../web");
-    let list = match built(&web).and_then(|dist| embed(&dist, &out)) {
+    let list = match built(&web).and_then(|packed| embed(&packed, &out)) {
         Ok(list) => list,
         Err(why) => {
             println!("cargo::warning=no pages in this program: {why}");
@@ -34,7 +34,7 @@ fn watch(path: &Path) {
     println!("cargo::rerun-if-changed={}", path.display());
 }
 
-/// Builds the pages if they are old, and returns the folder of built pages.
+/// Builds the pages if they are old, and returns the folder of built and compressed pages.
 fn built(web: &Path) -> Result<PathBuf, String> {
     if !web.join("package.json").is_file() {
         return Err("the sources of the pages, the folder `web`, are not beside the crates".into());
@@ -50,22 +50,24 @@ fn built(web: &Path) -> Result<PathBuf, String> {
     let lock = std::env::temp_dir().join("fenderline-pages.lock");
     let lock = fs::File::create(&lock).map_err(|e| format!("{}: {e}", lock.display()))?;
     lock.lock().map_err(|e| format!("cannot wait for another build of the pages: {e}"))?;
-    let dist = web.join("dist");
-    if is_up_to_date(web, &dist) {
+    let (dist, packed) = (web.join("dist"), web.join("packed"));
+    if is_up_to_date(web, &dist)
+        && is_newer(&packed.join("index.html.gz"), &dist.join("index.html"))
+    {
         // Builds again if somebody builds the pages by hand.
-        watch(&dist.join("index.html"));
-        return Ok(dist);
+        watch(&packed.join("index.html.gz"));
+        return Ok(packed);
     }
     if !is_newer(&web.join("node_modules/.package-lock.json"), &web.join("package-lock.json")) {
         // Without a network, npm gives up soon and the build goes on without pages.
         npm(web, &["ci", "--no-audit", "--no-fund", "--fetch-retries=1", "--fetch-timeout=20000"])?;
     }
     npm(web, &["run", "build"])?;
-    Ok(dist)
+    Ok(packed)
 }
 
 /// Copies the built pages and lists them. With the copy, the program keeps the pages with which it was built.
-fn embed(dist: &Path, out: &Path) -> Result<String, String> {
+fn embed(packed: &Path, out: &Path) -> Result<String, String> {
     let copy = out.join("pages");
     if copy.exists() {
         fs::remove_dir_all(&copy).map_err(|e| format!("{}: {e}", copy.display()))?;
@@ -73,10 +75,11 @@ fn embed(dist: &Path, out: &Path) -> Result<String, String> {
     let mut list =
         String::from("const NO_PAGES: Option<&str> = None;\nstatic PAGES: &[(&str, &[u8])] = &[\n");
     let mut files = Vec::new();
-    copy_folder(dist, &copy, "", &mut files)?;
+    copy_folder(packed, &copy, "", &mut files)?;
     files.sort();
     for (path, file) in files {
         let file = file.to_str().expect("the path of the target folder must be Unicode");
+        let path = path.strip_suffix(".gz").ok_or(format!("{path} is not compressed"))?;
         writeln!(list, "    ({path:?}, include_bytes!({file:?})),").expect("a string");
     }
     list += "];\n";

@@ -48,9 +48,13 @@ export interface Opened extends Browser {
 }
 
 /** Opens the page and waits for its first run. */
-export async function opened(size = { width: 1600, height: 900 }, touch = false): Promise<Opened> {
+export async function opened(
+  size = { width: 1600, height: 900 },
+  touch = false,
+  flags: string[] = [],
+): Promise<Opened> {
   const served = await files();
-  const { context, close } = await browse(size, touch);
+  const { context, close } = await browse(size, touch, flags);
   const page = await context.newPage();
   const errors: string[] = [];
   page.on("pageerror", (error) => errors.push(error.message));

@@ -16,6 +16,13 @@ const FLAGS = [
   "--disable-sync",
 ];
 
+/** Draws three-dimensional pictures on the processor, where there is no graphics card. */
+export const SOFTWARE_WEBGL = [
+  "--use-angle=swiftshader",
+  "--enable-unsafe-swiftshader",
+  "--ignore-gpu-blocklist",
+];
+
 /** Where screenshots go. */
 export const SHOTS =
   process.env.SCREENSHOTS ?? new URL("../screenshots/", import.meta.url).pathname;
@@ -101,13 +108,18 @@ export interface Browser {
 export async function browse(
   size: { width: number; height: number },
   touch = false,
+  /** More flags of the browser. Those of `SOFTWARE_WEBGL` stand in place of `--disable-gpu`. */
+  flags: string[] = [],
 ): Promise<Browser> {
   const context = await chromium.launchPersistentContext(
     mkdtempSync(join(tmpdir(), "fenderline-e2e-")),
     {
       executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
       headless: true,
-      args: FLAGS,
+      args: [
+        ...FLAGS.filter((flag) => flag !== "--disable-gpu" || flags !== SOFTWARE_WEBGL),
+        ...flags,
+      ],
       viewport: size,
       hasTouch: touch,
     },

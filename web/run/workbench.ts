@@ -1,5 +1,6 @@
 /** The page: the scenario's text beside the plan and the results. A change of the text is run at once. */
 import type { ScenarioInfo } from "fenderline";
+import { Pane, type Share } from "../src/bridge/pane";
 import { History } from "../src/history";
 import { Live, structure } from "../src/live";
 import { PALETTE_NAMES, type PaletteName, applyPalette } from "../src/palette";
@@ -87,6 +88,11 @@ export class Workbench {
   private readonly panel = h("section", { class: "panel", "aria-label": "Panel" });
   private readonly aside = h("div", { class: "aside" });
   private readonly planBox = h("div", { class: "plan-box" });
+  /** The view out of the window. */
+  private readonly pane = new Pane(this.live, {
+    share: (how) => this.share(how),
+    say: (text) => this.say(text),
+  });
 
   constructor(root: HTMLElement) {
     for (const [index, example] of EXAMPLES.entries())
@@ -123,8 +129,12 @@ export class Workbench {
     this.openExample(false);
     setText(this.state, "loading");
     // All that a later click needs, so that nothing is asked of the server afterwards.
-    const charts = [import("uplot"), import("uplot/dist/uPlot.min.css")];
-    Promise.all([this.runner.load(), ...charts]).catch((error: unknown) =>
+    const later = [
+      import("uplot"),
+      import("uplot/dist/uPlot.min.css"),
+      import("../src/bridge/picture"),
+    ];
+    Promise.all([this.runner.load(), ...later]).catch((error: unknown) =>
       this.say(`The page could not be loaded: ${String(error)}`),
     );
     requestAnimationFrame((now) => this.draw(now));
@@ -343,9 +353,17 @@ export class Workbench {
 
   private build(hello: Hello): void {
     this.plan = new Plan(this.live);
-    this.planBox.replaceChildren(this.plan.root);
+    this.plan.addTool(button("View", () => this.share("view"), { name: "View out of the window" }));
+    this.planBox.replaceChildren(this.plan.root, this.pane.root);
     this.views = this.viewsOf(hello);
     this.buildTabs();
+  }
+
+  /** Shares the place of the plan between the plan and the view out of the window. */
+  private share(how: Share): void {
+    setClass(this.planBox, "with-view", how === "view");
+    setClass(this.planBox, "with-both", how === "both");
+    this.pane.shares(how);
   }
 
   private views: [string, View][] = [];
@@ -415,6 +433,7 @@ export class Workbench {
     requestAnimationFrame((next) => this.draw(next));
     this.timeline.draw(performance.now());
     this.plan?.draw(performance.now());
+    this.pane.draw(performance.now());
     this.tabs.find(({ name }) => name === this.shownTab)?.view.draw?.(now_ms);
   }
 
@@ -450,6 +469,7 @@ export class Workbench {
 
   private setPalette(name: PaletteName): void {
     applyPalette(name);
+    this.pane.setPalette(name);
     localStorage.setItem("palette", name);
     const shown = name.replace(/^./, (c) => c.toUpperCase());
     setText(this.paletteButton, shown);

@@ -1,4 +1,5 @@
 /** The page: bar, plan, panel with tabs, control strip, and which of them each role sees; keys; the drawing loop. */
+import { Pane, type Share } from "./bridge/pane";
 import { Connection, type LinkState } from "./connection";
 import type { Group, KeyAction } from "./controls/group";
 import { Helm } from "./controls/helm";
@@ -86,6 +87,13 @@ export class App implements Page {
     () => this.place?.changed(),
   );
   private plan: Plan | null = null;
+  /** The view out of the window. */
+  private readonly pane = new Pane(
+    this.live,
+    { share: (how) => this.share(how), say: (text) => this.say(text) },
+    location.search,
+  );
+  private shared: Share = this.pane.asked === null ? "plan" : "view";
   private trialView: TrialView | null = null;
   private alarms: Alarms | null = null;
   private conditions: Conditions | null = null;
@@ -150,6 +158,8 @@ export class App implements Page {
       button("?", () => this.help.open(this.keys()), { name: "Help and keys (?)" }),
     );
     root.replaceChildren(bar, this.banner, this.stage, this.strip, this.help.root);
+    // One of several windows that make a panorama shows the view alone.
+    setClass(root, "view-alone", this.pane.asked === "alone");
     const kept = localStorage.getItem("palette") as PaletteName | null;
     this.setPalette(kept && PALETTE_NAMES.includes(kept) ? kept : "day");
     this.connection = new Connection(url, {
@@ -435,7 +445,9 @@ export class App implements Page {
       view.root.setAttribute("aria-label", name);
       panel.append(view.root);
     }
-    this.stage.replaceChildren(plan.root, panel, this.said);
+    plan.addTool(button("View", () => this.share("view"), { name: "View out of the window (,)" }));
+    this.stage.replaceChildren(plan.root, this.pane.root, panel, this.said);
+    this.share(this.shared);
     const isThere = this.tabs.some((tab) => tab.name === this.shownTab);
     this.show(isThere ? this.shownTab : (this.tabs[0]?.name ?? ""));
     const shown = this.stage.querySelector(".view.shown");
@@ -507,6 +519,14 @@ export class App implements Page {
     if (shown) this.tabRow?.reveal(shown.button);
   }
 
+  /** Shares the place of the plan between the plan and the view out of the window. */
+  private share(how: Share): void {
+    this.shared = how;
+    setClass(this.stage, "with-view", how === "view");
+    setClass(this.stage, "with-both", how === "both");
+    this.pane.shares(how);
+  }
+
   /** While a trial is on, the controls give no orders: they say so. */
   private markTrial(on: boolean): void {
     setClass(this.strip, "in-trial", on);
@@ -518,6 +538,7 @@ export class App implements Page {
 
   private setPalette(name: PaletteName): void {
     applyPalette(name);
+    this.pane.setPalette(name);
     localStorage.setItem("palette", name);
     const shown = name.replace(/^./, (c) => c.toUpperCase());
     setText(this.paletteButton, shown);
@@ -577,6 +598,7 @@ export class App implements Page {
   private draw(now_ms: number): void {
     requestAnimationFrame((next) => this.draw(next));
     this.plan?.draw(performance.now());
+    this.pane.draw(performance.now());
     for (const { name, view } of this.tabs)
       if (name === this.shownTab) view.draw?.(performance.now());
     for (const group of this.groups) if (group.root.offsetParent !== null) group.draw?.(now_ms);
@@ -639,6 +661,11 @@ export class App implements Page {
       { key: "i", text: "Measuring tools", run: () => plan?.measure() },
       { key: "h", text: "Safety contour of the chart", run: () => plan?.depths() },
       { key: "v", text: "Predicted path", run: () => plan?.togglePath() },
+      {
+        key: ",",
+        text: "View out of the window, or the plan",
+        run: () => this.share(this.shared === "plan" ? "view" : "plan"),
+      },
       { key: "b", text: "Day, dusk, night", run: () => this.nextPalette() },
       { key: "?", text: "This help", run: () => this.help.open(this.keys()) },
     ];

@@ -18,6 +18,13 @@ export function turned(by_rad: number, [x, y]: Pair): Pair {
 export const onEarth = (body: BodyNow, at: Pair): Pair =>
   add([body[0], body[1]], turned(body[2], at));
 
+/** The place on a straight line from `a` to `b` that is nearest to a place. */
+export function nearestOn(a: Pair, b: Pair, at: Pair): Pair {
+  const along = minus(b, a);
+  const share = dot(minus(at, a), along) / (dot(along, along) || 1);
+  return add(a, times(along, Math.min(1, Math.max(0, share))));
+}
+
 /** A body between two ticks; its heading turns the short way. */
 export function between(from: BodyNow, to: BodyNow, share: number): BodyNow {
   const mix = (a: number, b: number) => a + (b - a) * share;

@@ -57,7 +57,7 @@ export type TrialOrder = Order | TugOrder;
 export type Gravity = "ok" | "note" | "attention" | "failed";
 
 /** Number of this protocol. */
-export const PROTOCOL = 6;
+export const PROTOCOL = 7;
 
 /** Words for a tug. `stop`: no force; `stand_off`: she keeps clear of the side. */
 export type TugWord = "push" | "pull" | "stop" | "stand_off";

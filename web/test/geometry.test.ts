@@ -10,6 +10,7 @@ import {
   zoomed,
 } from "../src/geometry";
 import type { BodyNow, Pair } from "../src/protocol";
+import { waysToBerth } from "../src/views/docking";
 
 const camera = (up_rad: number): Camera => ({
   centre: [100, 50],
@@ -79,4 +80,17 @@ describe("the camera", () => {
 
 test("a scale bar has a round length", () => {
   expect([0.9, 1.5, 3, 99, 100, 730].map(roundLength)).toEqual([0.5, 1, 2, 50, 100, 500]);
+});
+
+test("far from the berth the board has the way to its nearest place", () => {
+  const quay: BodyNow = [0, 0, 0, 0, 0, 0];
+  const berth = { from: [-50, 0] as Pair, to: [50, 0] as Pair };
+  // 400 m south of the berth's end, heading for it at 2 m/s.
+  const ways = waysToBerth(berth, quay, [-450, 0, 0, 2, 0, 0], { length_m: 100 });
+  expect(ways?.[0].off_m).toBeCloseTo(350, 9);
+  expect(ways?.[1].off_m).toBeCloseTo(450, 9);
+  expect(ways?.[0].bearing_rad).toBeCloseTo(0, 9);
+  expect(ways?.[0].closing_mps).toBeCloseTo(2, 9);
+  // Within a length of the berth distances to the line of the fenders count.
+  expect(waysToBerth(berth, quay, [-180, 0, 0, 2, 0, 0], { length_m: 100 })).toBeNull();
 });

@@ -12,7 +12,7 @@ use crate::request::Control;
 
 /// Version number of the protocol between server and page. A page with another version of the protocol asks the
 /// user to reload the page.
-pub const PROTOCOL: u32 = 6;
+pub const PROTOCOL: u32 = 7;
 
 /// The data from which a page is built. The server sends this message first, and again whenever the scenario, the
 /// branch of the session or the holders of the helms change.

@@ -3,9 +3,11 @@
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::io::Read;
 use std::path::Path;
 
 use fenderline_scenario::{FileFault, read_bytes};
+use flate2::read::GzDecoder;
 use maud::{DOCTYPE, html};
 
 use super::log::Notify;
@@ -59,9 +61,11 @@ impl Page {
             notify(&format!("The server works without its pages. {GET_PAGES}"));
             return Page::missing(why);
         }
-        let file = |(path, bytes): &(&str, &[u8])| {
-            let file = PageFile { content_type: content_type(path), bytes: bytes.to_vec() };
-            ((*path).to_owned(), file)
+        let file = |(path, packed): &(&str, &[u8])| {
+            let mut bytes = Vec::new();
+            let read = GzDecoder::new(*packed).read_to_end(&mut bytes);
+            read.expect("the build of the program compressed this file");
+            ((*path).to_owned(), PageFile { content_type: content_type(path), bytes })
         };
         Page(PAGES.iter().map(file).collect())
     }

@@ -54,8 +54,14 @@ const FORMS: Record<Exclude<Form, "ball">, Pair[]> = {
   ],
 };
 
+/** The colours of marks. */
+export type MarkColours = Pick<
+  Palette,
+  "port" | "starboard" | "mark_yellow" | "mark_white" | "mark_black"
+>;
+
 /** Colours of the bands from the top down; a mark of one colour has one. */
-function bands(feature: ChartInfo, colours: Palette): string[] {
+export function bands(feature: ChartInfo, colours: MarkColours): string[] {
   const [black, yellow, red] = [colours.mark_black, colours.mark_yellow, colours.port];
   switch (feature.meaning) {
     case "north":
@@ -82,7 +88,7 @@ function bands(feature: ChartInfo, colours: Palette): string[] {
 }
 
 /** The shape of a mark: as the chart says, else by the side that it is on. */
-function formOf({ form, side, meaning, kind }: ChartInfo): Form {
+export function formOf({ form, side, meaning, kind }: ChartInfo): Form {
   if (form) return form;
   if (side) return side === "port" ? "can" : "cone";
   if (meaning === "safe_water") return "ball";

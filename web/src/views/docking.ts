@@ -1,10 +1,10 @@
 /** The docking board: distances and speeds at bow and stern, in digits to be read across a bridge wing. The server has
  * its limits and signals. */
-import { dot, turned } from "../geometry";
+import { dot, length, minus, nearestOn, onEarth, turned } from "../geometry";
 import type { Page } from "../page";
-import type { BerthEnd, Frame, Hello, Lamp } from "../protocol";
+import type { BerthEnd, BodyNow, Frame, Hello, Lamp, Pair, VesselInfo } from "../protocol";
 import { button, h, setAttribute, setClass, setText } from "../ui/dom";
-import { fixed, toDegrees } from "../units";
+import { fixed, heading, toDegrees } from "../units";
 import type { View } from "./view";
 
 const LIGHTS: readonly Lamp["light"][] = ["ok", "caution", "alarm"];
@@ -12,6 +12,39 @@ const LIGHTS: readonly Lamp["light"][] = ["ok", "caution", "alarm"];
 const SAME_LIMIT_MPS = 0.02;
 /** Below this an end counts as still [m/s]. */
 const STILL_MPS = 0.005;
+
+/** Way from an end of a ship to the nearest place of the berth. */
+interface Way {
+  off_m: number;
+  /** From north [rad]. */
+  bearing_rad: number;
+  /** Speed of the ship along this bearing [m/s]. */
+  closing_mps: number;
+}
+
+/**
+ * Ways from bow and stern to the berth, if the ship is farther than a length from the berth: there distances to the line of the
+ * fenders say nothing. `null` nearer.
+ */
+export function waysToBerth(
+  { from, to }: { from: Pair; to: Pair },
+  quay: BodyNow,
+  ship: BodyNow,
+  { length_m }: Pick<VesselInfo, "length_m">,
+): [bow: Way, stern: Way] | null {
+  const way = (forward_m: number): Way => {
+    const end = onEarth(ship, [forward_m, 0]);
+    const across = minus(nearestOn(onEarth(quay, from), onEarth(quay, to), end), end);
+    const off_m = length(across);
+    return {
+      off_m,
+      bearing_rad: Math.atan2(across[1], across[0]),
+      closing_mps: dot(across, [ship[3], ship[4]]) / (off_m || 1),
+    };
+  };
+  const [bow, stern] = [way(length_m / 2), way(-length_m / 2)];
+  return Math.min(bow.off_m, stern.off_m) > length_m ? [bow, stern] : null;
+}
 
 class End {
   private readonly distance = h("output", { class: "digits distance" }, "–");
@@ -56,6 +89,12 @@ class End {
     this.root.dataset.end = end;
   }
 }
+
+/** The lamp of an end that is far from the berth: no signal, but the way there. */
+const onTheWay = ({ bearing_rad }: Way): Lamp => ({
+  light: "ok",
+  text: `BERTH BEARS ${heading(bearing_rad, 0)}`,
+});
 
 export class Docking implements View {
   private readonly bow = new End("Bow");
@@ -178,8 +217,18 @@ export class Docking implements View {
     const berth = now?.berth;
     setClass(this.root, "none", !berth);
     if (!berth || !hello.berth || !body || !quay) return;
-    this.bow.show(berth.bow, berth.bow_lamp, berth.bow_m, berth.bow_mps);
-    this.stern.show(berth.stern, berth.stern_lamp, berth.stern_m, berth.stern_mps);
+    const info = hello.vessels[index];
+    const isPast = berth.bow === "past_end" && berth.stern === "past_end";
+    const ways = isPast && info ? waysToBerth(hello.berth, quay, body, info) : null;
+    setClass(this.ends, "far", ways !== null);
+    if (ways) {
+      const [bow, stern] = ways;
+      this.bow.show("past_end", onTheWay(bow), bow.off_m, bow.closing_mps);
+      this.stern.show("past_end", onTheWay(stern), stern.off_m, stern.closing_mps);
+    } else {
+      this.bow.show(berth.bow, berth.bow_lamp, berth.bow_m, berth.bow_mps);
+      this.stern.show(berth.stern, berth.stern_lamp, berth.stern_m, berth.stern_mps);
+    }
     this.showLimit(frame.approach_mps, berth.limit_mps);
     this.showMark(frame, hello, index);
     // As seen from the ship facing the quay: starboard side to, the bow is on the left.

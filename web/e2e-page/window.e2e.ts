@@ -1,0 +1,38 @@
+/** The view out of the window in the page without a server, with the network gone. */
+import { mkdirSync } from "node:fs";
+import { join } from "node:path";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { SHOTS, SOFTWARE_WEBGL } from "../e2e/browser";
+import { type Opened, opened } from "./served";
+
+let at: Opened;
+beforeAll(async () => {
+  mkdirSync(SHOTS, { recursive: true });
+  at = await opened({ width: 1600, height: 900 }, false, SOFTWARE_WEBGL);
+});
+afterAll(() => at.close());
+
+test("the view opens with the network gone, beside the plan and in its place", async () => {
+  const { page, context, errors } = at;
+  await page.waitForLoadState("networkidle");
+  await context.setOffline(true);
+  await page.getByRole("button", { name: "View out of the window" }).click();
+  await page.waitForFunction(
+    () => document.querySelector<HTMLElement>(".window canvas")?.dataset.script !== undefined,
+    undefined,
+    { timeout: 60_000 },
+  );
+  const canvas = page.getByRole("img", { name: /^View / });
+  await page.getByRole("button", { name: /^Both/ }).click();
+  await page.getByRole("img", { name: "Plan of ship" }).waitFor();
+  const [view, plan] = [
+    await canvas.boundingBox(),
+    await page.getByRole("img", { name: "Plan of ship" }).boundingBox(),
+  ];
+  expect((view?.y ?? 0) + (view?.height ?? 0)).toBeLessThanOrEqual((plan?.y ?? 0) + 1);
+  await page.waitForTimeout(1500);
+  await page.screenshot({ path: join(SHOTS, "page-window.png") });
+  await page.getByRole("button", { name: /^Plan: close/ }).click();
+  expect(await canvas.isVisible()).toBe(false);
+  expect(errors).toEqual([]);
+});

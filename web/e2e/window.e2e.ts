@@ -1,0 +1,215 @@
+/**
+ * The view out of the window in a browser that draws on the processor: each camera draws something and throws nothing; drawings
+ * a second and script a drawing are printed. Without WebGL, and when the graphics stop, the page says so and stays usable. Where
+ * other programs run beside, as in CI, times decide nothing.
+ */
+import { mkdirSync } from "node:fs";
+import { cpus, loadavg } from "node:os";
+import { join } from "node:path";
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { type Served, SHOTS, SOFTWARE_WEBGL, browse, open, serve } from "./browser";
+import { axe, sizes, withAxe } from "./faults";
+
+const SIZE = { width: 1280, height: 720 };
+const CAMERAS = ["Bridge", "Port wing", "Stb wing", "Bow", "Stern", "Tug", "Bollard", "Free"];
+const MOST_SCRIPT_MS = 4;
+const LEAST_FPS = 8;
+/** Times decide where nothing else keeps the processors busy: the browser itself keeps about two of them. */
+const timesDecide = (): boolean => !process.env.CI && (loadavg()[0] ?? 0) < cpus().length + 2;
+
+const HARBOUR = new URL("../../scenarios/live/harbour.toml", import.meta.url).pathname;
+const errors: string[] = [];
+let served: Served;
+
+beforeAll(async () => {
+  mkdirSync(SHOTS, { recursive: true });
+  served = await serve([], HARBOUR);
+});
+afterAll(() => served.close());
+
+const canvas = (page: Page) => page.getByRole("img", { name: /^View / });
+
+/** Opens the view and waits for its first drawing. */
+async function look(page: Page): Promise<void> {
+  await page.getByRole("button", { name: "View out of the window" }).click();
+  await page.waitForFunction(
+    () => document.querySelector<HTMLElement>(".window canvas")?.dataset.script !== undefined,
+    undefined,
+    { timeout: 60_000 },
+  );
+}
+
+/** How many colours the picture of the canvas has, in steps of 16, and how far their brightness spreads. */
+async function colours(page: Page): Promise<{ count: number; spread: number }> {
+  const png = (await canvas(page).screenshot()).toString("base64");
+  return page.evaluate(async (png) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${png}`;
+    await image.decode();
+    const area = document.createElement("canvas");
+    [area.width, area.height] = [image.width, image.height];
+    const to = area.getContext("2d");
+    if (!to) throw new Error("a browser has a canvas");
+    to.drawImage(image, 0, 0);
+    const { data } = to.getImageData(0, 0, area.width, area.height);
+    const seen = new Set<number>();
+    let [sum, squares] = [0, 0];
+    for (let i = 0; i < data.length; i += 4) {
+      const [r = 0, g = 0, b = 0] = data.slice(i, i + 3);
+      seen.add(((r >> 4) << 8) | ((g >> 4) << 4) | (b >> 4));
+      const bright = (r + g + b) / 3;
+      sum += bright;
+      squares += bright * bright;
+    }
+    const count = data.length / 4;
+    return { count: seen.size, spread: Math.sqrt(squares / count - (sum / count) ** 2) };
+  }, png);
+}
+
+async function figures(page: Page): Promise<{ script: number; interval: number }> {
+  const read = (name: string) => canvas(page).getAttribute(`data-${name}`);
+  return { script: Number(await read("script")), interval: Number(await read("interval")) };
+}
+
+test("each camera draws a picture, by day, at dusk and at night", async () => {
+  const { context, close } = await browse(SIZE, false, SOFTWARE_WEBGL);
+  await withAxe(context);
+  const page = await open(context, served, "pilot", errors);
+  expect(
+    await page.evaluate(
+      () =>
+        performance.getEntriesByType("resource").filter(({ name }) => name.includes("picture"))
+          .length,
+    ),
+  ).toBe(0);
+  await look(page);
+  expect(await sizes(page)).toEqual([]);
+  expect(await axe(page, ".window")).toEqual([]);
+  // Other programs only make it slower: the best is nearest to what the view needs.
+  const best = { script: Number.POSITIVE_INFINITY, interval: Number.POSITIVE_INFINITY };
+  for (const palette of ["day", "dusk", "night"]) {
+    for (
+      let i = 0;
+      i < 3 && (await page.locator("html").getAttribute("data-palette")) !== palette;
+      i++
+    )
+      await page.keyboard.press("b");
+    for (const camera of CAMERAS) {
+      await page.locator(".window-tools").getByText(camera, { exact: true }).click();
+      await page.waitForTimeout(1200);
+      const { count, spread } = await colours(page);
+      const { script, interval } = await figures(page);
+      best.script = Math.min(best.script, script);
+      best.interval = Math.min(best.interval, interval);
+      expect(count, `${camera}, ${palette}: colours`).toBeGreaterThan(palette === "night" ? 8 : 40);
+      expect(spread, `${camera}, ${palette}: brightness`).toBeGreaterThan(
+        palette === "night" ? 1.5 : 8,
+      );
+      await page.screenshot({
+        path: join(SHOTS, `window-${camera.toLowerCase().replaceAll(" ", "-")}-${palette}.png`),
+      });
+    }
+  }
+  console.log(
+    `${(1000 / best.interval).toFixed(1)} drawings a second on the processor, ${best.script.toFixed(2)} ms of script a drawing`,
+  );
+  if (timesDecide()) {
+    expect(best.script).toBeLessThan(MOST_SCRIPT_MS);
+    expect(1000 / best.interval).toBeGreaterThan(LEAST_FPS);
+  }
+  await close();
+  expect(errors).toEqual([]);
+});
+
+test("one looks around by drag, wheel and keys, which steer no rudder", async () => {
+  const { context, close } = await browse(SIZE, false, SOFTWARE_WEBGL);
+  const page = await open(context, served, "pilot", errors);
+  await page.getByRole("button", { name: "Take the helm" }).click();
+  await look(page);
+  const caption = page.locator(".window-caption");
+  await expect.poll(() => caption.textContent()).toMatch(/\d{3}° \(ahead\)/);
+  const box = (await canvas(page).boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
+  // The picture goes with the pointer: a drag to the left looks to starboard.
+  await page.mouse.move(box.x + 400, box.y + 150);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 200, box.y + 150, { steps: 4 });
+  await page.mouse.up();
+  await expect.poll(() => caption.textContent()).toMatch(/\(S \d+°\)/);
+  await page.keyboard.press("Home");
+  await canvas(page).focus();
+  await page.keyboard.press("Home");
+  await expect.poll(() => caption.textContent()).toContain("(ahead)");
+  await page.keyboard.press("ArrowLeft");
+  await page.keyboard.press("ArrowLeft");
+  await expect.poll(() => caption.textContent()).toMatch(/\(P \d+°\)/);
+  await page.keyboard.press("2");
+  await expect.poll(() => caption.textContent()).toContain("Port bridge wing");
+  await page.mouse.move(box.x + 300, box.y + 100);
+  await page.mouse.wheel(0, -600);
+  await expect
+    .poll(async () => Number(/view (\d+)/.exec((await caption.textContent()) ?? "")?.[1]))
+    .toBeLessThan(30);
+  const rudder = await page.evaluate(
+    () => document.querySelector(".helm [data-order]")?.getAttribute("data-order") ?? "0",
+  );
+  expect(Number(rudder)).toBe(0);
+  await page.getByRole("button", { name: /^Both: plan below/ }).click();
+  await page.getByRole("img", { name: "Plan of ship" }).waitFor();
+  await canvas(page).waitFor();
+  await page.getByRole("button", { name: /^Plan: close the view/ }).click();
+  expect(await canvas(page).isVisible()).toBe(false);
+  await close();
+  expect(errors).toEqual([]);
+});
+
+test("when the graphics stop the page says so, and draws again when they are back", async () => {
+  const { context, close } = await browse(SIZE, false, SOFTWARE_WEBGL);
+  const page = await open(context, served, "pilot", errors);
+  await look(page);
+  await page.evaluate(() => {
+    const gl = document.querySelector<HTMLCanvasElement>(".window canvas")?.getContext("webgl2");
+    const stop = gl?.getExtension("WEBGL_lose_context");
+    stop?.loseContext();
+    setTimeout(() => stop?.restoreContext(), 2500);
+  });
+  await page.getByText("The graphics of this machine stopped").waitFor();
+  await page.getByRole("tab", { name: "Conning" }).click();
+  await page.getByText("The graphics of this machine stopped").waitFor({ state: "hidden" });
+  await page.waitForTimeout(2500);
+  expect((await colours(page)).count).toBeGreaterThan(40);
+  await close();
+  expect(errors.filter((text) => !/context lost/i.test(text))).toEqual([]);
+});
+
+test("without WebGL the page says so, and the plan is back at a press", async () => {
+  const { context, close } = await browse(SIZE, false, ["--disable-3d-apis"]);
+  const unheard: string[] = [];
+  const page = await open(context, served, "observer", unheard);
+  await page.getByRole("button", { name: "View out of the window" }).click();
+  await page.getByText("This browser draws no view").waitFor();
+  await page.getByRole("button", { name: /^Plan: close the view/ }).click();
+  await page.getByRole("img", { name: "Plan of ship" }).waitFor();
+  await close();
+});
+
+test("an address opens one of several windows that make a panorama", async () => {
+  const { context, close } = await browse(SIZE, false, SOFTWARE_WEBGL);
+  const page = await context.newPage();
+  page.on("pageerror", (error) => errors.push(error.message));
+  const token = encodeURIComponent(served.tokens.pilot ?? "");
+  await page.goto(`${served.url}/?token=${token}&view=bridge&bearing=-60&fov=60`);
+  await page.waitForFunction(
+    () => document.querySelector<HTMLElement>(".window canvas")?.dataset.script !== undefined,
+    undefined,
+    { timeout: 60_000 },
+  );
+  const box = await canvas(page).boundingBox();
+  expect([box?.width, box?.height]).toEqual([SIZE.width, SIZE.height]);
+  // 60° to port of her heading, which was 20° at the start.
+  const label = (await canvas(page).getAttribute("aria-label")) ?? "";
+  const bearing = Number(/towards (\d+)/.exec(label)?.[1]);
+  expect(Math.abs(bearing - 320)).toBeLessThan(30);
+  await close();
+  expect(errors.filter((text) => !/context lost/i.test(text))).toEqual([]);
+});

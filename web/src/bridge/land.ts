@@ -1,0 +1,246 @@
+/**
+ * Land and structures of the chart. A chart has outlines without heights: coasts rise over a bank of stones to level ground
+ * with trees, quays stand as high as fixed bodies, buildings and pontoons have heights that are usual.
+ */
+import { InstancedMesh, Matrix4, Mesh, Quaternion, ShapeUtils, Vector2, Vector3 } from "three";
+import { CONCRETE, QUAY_M, area2, inset, lid } from "./berth";
+import { geometryOf } from "./fenders";
+import { chance } from "./fittings";
+import { type Shared, paintwork } from "./paintwork";
+import { Solids, type Spot } from "./solids";
+import type { Hello, Pair } from "../protocol";
+
+/** Height of level ground above the still water [m]. */
+const GROUND_M = 3;
+const BANK_M = 7;
+const GRASS = 0x575f43;
+const STONE = 0x77716a;
+const ASPHALT = 0x6f6d68;
+/** Trees stand no farther from the origin [m]. */
+const WOODS_M = 5000;
+export const MOST_TREES = 1600;
+
+/** Triangles of a ring with holes, as indices into all their corners one after the other. */
+export const cut = (ring: Pair[], holes: Pair[][] = []): number[][] => {
+  const points = (of: Pair[]) => of.map(([n, e]) => new Vector2(n, e));
+  return ShapeUtils.triangulateShape(points(ring), holes.map(points));
+};
+
+/** Mean width of an area: twice its area over its circumference [m]. */
+export function width(ring: Pair[]): number {
+  const around = ring.reduce((sum, a, i) => {
+    const b = ring[(i + 1) % ring.length] ?? a;
+    return sum + Math.hypot(b[0] - a[0], b[1] - a[1]);
+  }, 0);
+  return around > 0 ? Math.abs(area2(ring)) / around : 0;
+}
+
+export function isInside(ring: Pair[], [n, e]: Pair): boolean {
+  let inside = false;
+  ring.forEach((a, i) => {
+    const b = ring[(i + 1) % ring.length] ?? a;
+    if (a[1] > e !== b[1] > e && n < ((b[0] - a[0]) * (e - a[1])) / (b[1] - a[1]) + a[0])
+      inside = !inside;
+  });
+  return inside;
+}
+
+/** Distance of a place from a ring [m]. */
+function offRing(ring: Pair[], [n, e]: Pair): number {
+  return Math.min(
+    ...ring.map((a, i) => {
+      const b = ring[(i + 1) % ring.length] ?? a;
+      const [dn, de] = [b[0] - a[0], b[1] - a[1]];
+      const share = ((n - a[0]) * dn + (e - a[1]) * de) / (dn * dn + de * de || 1);
+      const t = Math.min(1, Math.max(0, share));
+      return Math.hypot(n - a[0] - t * dn, e - a[1] - t * de);
+    }),
+  );
+}
+
+function sides(
+  ring: Pair[],
+  over: Pair[],
+  from_m: number,
+  to_m: number,
+  colour: number,
+  to: Solids,
+) {
+  const sign = area2(ring) > 0 ? 1 : -1;
+  ring.forEach((a, i) => {
+    const k = (i + 1) % ring.length;
+    const [b, c, d] = [ring[k], over[k], over[i]];
+    if (!b || !c || !d) return;
+    const corners: Spot[] = [
+      [...a, from_m],
+      [...b, from_m],
+      [...c, to_m],
+      [...d, to_m],
+    ];
+    to.face(corners, [sign * (b[1] - a[1]), -sign * (b[0] - a[0]), 0.01], colour);
+  });
+}
+
+/** Whether a chart's quay is a fixed body of the scenario, which is drawn with its fenders. */
+function isBody(ring: Pair[], bodies: Pair[][]): boolean {
+  return bodies.some((outline) =>
+    ring.every((at) => outline.some((p) => Math.hypot(p[0] - at[0], p[1] - at[1]) < 0.5)),
+  );
+}
+
+export interface Land {
+  meshes: (Mesh | InstancedMesh)[];
+}
+
+/** `fixed`: outlines of the fixed bodies on the earth; all places are moved by the origin. */
+export function land(
+  hello: Hello,
+  fixed: Pair[][],
+  origin: Pair,
+  shared: Shared,
+  most_trees = MOST_TREES,
+): Land {
+  const ground = new Solids();
+  const built = new Solids();
+  const woods: { ring: Pair[]; area: number }[] = [];
+  const near = (ring: Pair[]): Pair[] => ring.map(([n, e]) => [n - origin[0], e - origin[1]]);
+  const hasArea = hello.chart.some(({ kind, shape }) => kind === "coast" && shape === "area");
+  for (const feature of hello.chart) {
+    const rings = feature.lines.map(near);
+    const outer = rings[0];
+    if (!outer || outer.length < 2) continue;
+    if (feature.shape === "area" && outer.length >= 3) {
+      if (feature.kind === "coast") coast(outer, rings.slice(1), ground, woods);
+      else if (feature.kind === "quay" && !isBody(feature.lines[0] ?? [], fixed)) {
+        sides(outer, outer, -9, QUAY_M, CONCRETE, built);
+        lid(outer, cut, QUAY_M, 0x8f8c84, built);
+      } else if (feature.kind === "pontoon") {
+        sides(outer, outer, -1, 0.9, 0x8c8f8d, built);
+        lid(outer, cut, 0.9, 0x9a958a, built);
+      } else if (feature.kind === "building") {
+        const tall = 8 + 6 * chance(outer[0]?.[0] ?? 0, outer[0]?.[1] ?? 0);
+        sides(outer, outer, 0, GROUND_M + tall, 0xa8a49a, built);
+        lid(outer, cut, GROUND_M + tall, 0x6f6a66, built);
+      }
+    } else if (feature.shape === "line" && feature.kind === "coast" && !hasArea)
+      bank(
+        rings.filter((line) => line.length > 1),
+        ground,
+      );
+  }
+  const meshes: (Mesh | InstancedMesh)[] = [];
+  if (ground.triangles > 0) meshes.push(new Mesh(geometryOf(ground), paintwork(shared, "ground")));
+  if (built.triangles > 0) meshes.push(new Mesh(geometryOf(built), paintwork(shared, "concrete")));
+  const trees = plant(woods, fixed.map(near), most_trees);
+  if (trees.length > 0) meshes.push(forest(trees, shared));
+  for (const mesh of meshes) mesh.receiveShadow = true;
+  return { meshes };
+}
+
+function coast(
+  outer: Pair[],
+  holes: Pair[][],
+  ground: Solids,
+  woods: { ring: Pair[]; area: number }[],
+) {
+  const wide = width(outer);
+  const isMole = wide < 25;
+  const by = Math.min(BANK_M, 0.45 * wide);
+  const top = inset(outer, by);
+  const ok =
+    Math.sign(area2(top)) === Math.sign(area2(outer)) &&
+    Math.abs(area2(top)) < Math.abs(area2(outer));
+  const crown = ok ? top : outer;
+  sides(outer, crown, -3, GROUND_M, STONE, ground);
+  const all = [...crown, ...holes.flat()];
+  for (const three of cut(crown, holes)) {
+    const corners = three.flatMap((k): Spot[] => {
+      const at = all[k];
+      return at ? [[...at, GROUND_M]] : [];
+    });
+    if (corners.length === 3) ground.face(corners, [0, 0, 1], isMole ? ASPHALT : GRASS);
+  }
+  for (const hole of holes)
+    sides(hole.toReversed(), hole.toReversed(), -3, GROUND_M, STONE, ground);
+  if (!isMole) woods.push({ ring: outer, area: Math.abs(area2(outer)) / 2 });
+}
+
+/** A coast of which the chart has only the line: a bank of stones on it. */
+function bank(lines: Pair[][], to: Solids): void {
+  for (const line of lines)
+    for (let i = 0; i + 1 < line.length; i++) {
+      const [a, b] = [line[i], line[i + 1]];
+      if (!a || !b) continue;
+      const long = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1;
+      const off: Pair = [(-(b[1] - a[1]) / long) * 5, ((b[0] - a[0]) / long) * 5];
+      to.frustum(
+        [
+          [a[0] - off[0], a[1] - off[1]],
+          [b[0] - off[0], b[1] - off[1]],
+          [b[0] + off[0], b[1] + off[1]],
+          [a[0] + off[0], a[1] + off[1]],
+        ],
+        [a, b, b, a],
+        -1.5,
+        2,
+        STONE,
+      );
+    }
+}
+
+/** Places of trees: groups on the grass, away from the water and from quays. */
+function plant(woods: { ring: Pair[]; area: number }[], fixed: Pair[][], most: number): Pair[] {
+  const places: Pair[] = [];
+  const boxes = woods.map(({ ring }) => {
+    const axis = (k: 0 | 1): Pair => {
+      const all = ring.map((p) => p[k]);
+      return [Math.max(-WOODS_M, Math.min(...all)), Math.min(WOODS_M, Math.max(...all))];
+    };
+    return [axis(0), axis(1)] as const;
+  });
+  const sizes = boxes.map(([n, e]) => Math.max(0, n[1] - n[0]) * Math.max(0, e[1] - e[0]));
+  const sum = sizes.reduce((all, each) => all + each, 0);
+  woods.forEach(({ ring }, w) => {
+    const [n, e] = boxes[w] ?? [
+      [0, 0],
+      [0, 0],
+    ];
+    const groups = Math.round(((most / 6) * (sizes[w] ?? 0)) / Math.max(1, sum));
+    for (let g = 0; g < groups; g++) {
+      const at: Pair = [
+        n[0] + (n[1] - n[0]) * chance(w, g, 1),
+        e[0] + (e[1] - e[0]) * chance(w, g, 2),
+      ];
+      if (!isInside(ring, at) || offRing(ring, at) < 70) continue;
+      const many = 3 + Math.floor(14 * chance(w, g, 3));
+      for (let k = 0; k < many && places.length < most; k++) {
+        const far = 42 * Math.sqrt(chance(w, g, k, 5));
+        const angle = 2 * Math.PI * chance(w, g, k, 6);
+        const place: Pair = [at[0] + far * Math.cos(angle), at[1] + far * Math.sin(angle)];
+        if (fixed.every((body) => offRing(body, place) > 25 && !isInside(body, place)))
+          places.push(place);
+      }
+    }
+  });
+  return places;
+}
+
+function forest(places: Pair[], shared: Shared): InstancedMesh {
+  const tree = new Solids();
+  tree.post([0, 0, 0], [0, 0, 2.5], 0.22, 0x4a3a2a, { sides: 3, caps: false });
+  tree.ball([0, 0, 4.8], 3, 0x3f5229, 3);
+  tree.ball([1, 0.6, 6.8], 2.1, 0x4a5c2e, 3);
+  const mesh = new InstancedMesh(geometryOf(tree), paintwork(shared, "leaves"), places.length);
+  const matrix = new Matrix4();
+  places.forEach(([n, e], i) => {
+    const grown = 0.75 + 0.8 * chance(n, e);
+    matrix.compose(
+      new Vector3(e, GROUND_M - 0.1, -n),
+      new Quaternion().setFromAxisAngle(new Vector3(0, 1, 0), 6 * chance(e, n)),
+      new Vector3(grown, grown * (0.9 + 0.35 * chance(n, e, 3)), grown),
+    );
+    mesh.setMatrixAt(i, matrix);
+  });
+  mesh.frustumCulled = false;
+  return mesh;
+}

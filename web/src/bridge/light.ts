@@ -1,0 +1,165 @@
+/**
+ * Light of the sun, the sky and the moon: by place and time, or by the page's palette where the run has no date. Directions are
+ * in the axes of the picture, towards the light.
+ */
+import { type Triple, smooth, unit } from "./axes";
+import type { PaletteName } from "../palette";
+
+const DEG = Math.PI / 180;
+
+/** Where the sun stands: its azimuth from north and its elevation [rad]. */
+export interface Sun {
+  azimuth_rad: number;
+  elevation_rad: number;
+}
+
+/**
+ * The sun at a time, seen from a place: low-precision formulas of the Astronomical Almanac (from memory), good to about 0.01°
+ * between 1950 and 2050, without refraction. `unix_s`: seconds since the start of 1970, universal time.
+ */
+export function sunAt(unix_s: number, latitude_rad: number, longitude_rad: number): Sun {
+  const days = unix_s / 86_400 + 2_440_587.5 - 2_451_545;
+  const mean = (280.46 + 0.9856474 * days) * DEG;
+  const anomaly = (357.528 + 0.9856003 * days) * DEG;
+  const ecliptic = mean + (1.915 * Math.sin(anomaly) + 0.02 * Math.sin(2 * anomaly)) * DEG;
+  const tilt = (23.439 - 0.0000004 * days) * DEG;
+  const ascension = Math.atan2(Math.cos(tilt) * Math.sin(ecliptic), Math.cos(ecliptic));
+  const declination = Math.asin(Math.sin(tilt) * Math.sin(ecliptic));
+  const sidereal = (280.46061837 + 360.98564736629 * days) * DEG;
+  const hour = sidereal + longitude_rad - ascension;
+  const [sin, cos] = [Math.sin(latitude_rad), Math.cos(latitude_rad)];
+  const elevation = Math.asin(
+    sin * Math.sin(declination) + cos * Math.cos(declination) * Math.cos(hour),
+  );
+  const azimuth = Math.atan2(
+    -Math.cos(declination) * Math.sin(hour),
+    cos * Math.sin(declination) - sin * Math.cos(declination) * Math.cos(hour),
+  );
+  return { azimuth_rad: (azimuth + 2 * Math.PI) % (2 * Math.PI), elevation_rad: elevation };
+}
+
+/** The sun that a palette stands for: an afternoon, a quarter of an hour after sunset, and deep night. */
+export const PALETTE_SUNS: Record<PaletteName, Sun> = {
+  day: { azimuth_rad: 222 * DEG, elevation_rad: 36 * DEG },
+  dusk: { azimuth_rad: 292 * DEG, elevation_rad: -2.5 * DEG },
+  night: { azimuth_rad: 345 * DEG, elevation_rad: -25 * DEG },
+};
+
+/** The moon of our nights. */
+const MOON: Sun = { azimuth_rad: 150 * DEG, elevation_rad: 38 * DEG };
+
+export const towards = ({ azimuth_rad, elevation_rad }: Sun): Triple => [
+  Math.sin(azimuth_rad) * Math.cos(elevation_rad),
+  Math.sin(elevation_rad),
+  -Math.cos(azimuth_rad) * Math.cos(elevation_rad),
+];
+
+/** Colours are linear. */
+export interface Light {
+  /** Towards the sun, which may be below the horizon. */
+  sun: Triple;
+  /** Towards the light that casts shadows: sun or moon. */
+  from: Triple;
+  direct: Triple;
+  sky: Triple;
+  ground: Triple;
+  zenith: Triple;
+  horizon: Triple;
+  /** Colour of the sky round the sun. */
+  glow: Triple;
+  /** Colour of deep water. */
+  water: Triple;
+  /** Exposure of the picture: eyes grow used to the dark. */
+  exposure: number;
+  /** 0 by day, 1 when lights shine. */
+  lamps: number;
+  /** 0 by day, 1 when stars are seen. */
+  stars: number;
+}
+
+type Colours = Omit<Light, "sun" | "from">;
+
+const NOON: Colours = {
+  direct: [3.1, 2.85, 2.5],
+  sky: [0.62, 0.78, 1],
+  ground: [0.3, 0.33, 0.32],
+  zenith: [0.055, 0.17, 0.43],
+  horizon: [0.5, 0.63, 0.74],
+  glow: [0.55, 0.5, 0.4],
+  water: [0.014, 0.045, 0.048],
+  exposure: 0.92,
+  lamps: 0,
+  stars: 0,
+};
+const SUNSET: Colours = {
+  direct: [0.8, 0.42, 0.22],
+  sky: [0.3, 0.36, 0.5],
+  ground: [0.14, 0.14, 0.15],
+  zenith: [0.03, 0.066, 0.15],
+  horizon: [0.21, 0.23, 0.29],
+  glow: [1.15, 0.42, 0.12],
+  water: [0.008, 0.022, 0.03],
+  exposure: 1.35,
+  lamps: 1,
+  stars: 0,
+};
+const NIGHT: Colours = {
+  direct: [0.055, 0.07, 0.105],
+  sky: [0.02, 0.028, 0.048],
+  ground: [0.007, 0.009, 0.012],
+  zenith: [0.0022, 0.004, 0.0095],
+  horizon: [0.011, 0.0155, 0.024],
+  glow: [0.012, 0.011, 0.014],
+  water: [0.0022, 0.0042, 0.0056],
+  exposure: 2.3,
+  lamps: 1,
+  stars: 1,
+};
+
+const blend = (a: Colours, b: Colours, share: number): Colours => {
+  const mix = (x: number, y: number) => x + (y - x) * share;
+  const three = (x: Triple, y: Triple): Triple => [
+    mix(x[0], y[0]),
+    mix(x[1], y[1]),
+    mix(x[2], y[2]),
+  ];
+  return {
+    direct: three(a.direct, b.direct),
+    sky: three(a.sky, b.sky),
+    ground: three(a.ground, b.ground),
+    zenith: three(a.zenith, b.zenith),
+    horizon: three(a.horizon, b.horizon),
+    glow: three(a.glow, b.glow),
+    water: three(a.water, b.water),
+    exposure: mix(a.exposure, b.exposure),
+    lamps: mix(a.lamps, b.lamps),
+    stars: mix(a.stars, b.stars),
+  };
+};
+
+/** The light under a sun. */
+export function lightOf(sun: Sun): Light {
+  const high = sun.elevation_rad / DEG;
+  const colours =
+    high > -2
+      ? blend(SUNSET, NOON, smooth(-2, 20, high))
+      : blend(NIGHT, SUNSET, smooth(-16, -2, high));
+  const isNight = high < -8;
+  const shown = isNight ? MOON : { ...sun, elevation_rad: Math.max(5 * DEG, sun.elevation_rad) };
+  return {
+    ...colours,
+    lamps: high < 1 ? 1 : 0,
+    sun: towards(sun),
+    from: unit(towards(shown)),
+  };
+}
+
+/** Visibility in clear air [m]. */
+const CLEAR_M = 45_000;
+
+/**
+ * Density of the haze [1/m]: a share exp(−(density · distance)²) of a colour comes through, as `three` computes fog. At the
+ * visibility five hundredths of the contrast are left, as the definition of visibility asks.
+ */
+export const density = (visibility_m: number | null): number =>
+  Math.sqrt(Math.log(20)) / Math.max(20, visibility_m ?? CLEAR_M);

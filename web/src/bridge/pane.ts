@@ -1,0 +1,462 @@
+/**
+ * The view out of the window as a part of the page: canvas, buttons for the places of the eye, looking around by drag, touch
+ * and keys. What draws the picture is loaded when the view is first shown. Without it the page stays usable and says so.
+ */
+import { EYES, EYE_NAMES, type Eye, type Look, VIEW_LIMITS, lookOf } from "./look";
+import type { Picture } from "./picture";
+import { fileNameOf } from "../file_name";
+import type { Live } from "../live";
+import type { PaletteName } from "../palette";
+import type { Hello, Pair } from "../protocol";
+import { button, h, setAttribute, setClass, setText } from "../ui/dom";
+import { fixed, heading, spoken, toDegrees, wrapped } from "../units";
+
+const DEG = Math.PI / 180;
+/** A key turns the eye by this share of the angle of view. */
+const KEY_SHARE = 0.12;
+const ZOOM_STEP = 1.25;
+/** Slower drawing than this makes the picture coarser [ms]. */
+const SLOW_MS = 45;
+const SLOWEST_MS = 125;
+/** Drawings whose time of script is remembered. */
+const REMEMBERED = 40;
+/** Time between two changes of the detail [ms]. */
+const SETTLES_MS = 2500;
+const LEAST_DETAIL = 0.5;
+/** A browser has fetched a saved picture by then [ms]. */
+const SAVED_MS = 10_000;
+/** Distances of the free eye [m]. */
+const OFF_LIMITS: Pair = [25, 3000];
+
+/** How the view shares the place of the plan with it. */
+export type Share = "plan" | "view" | "both";
+
+export interface Around {
+  /** Shares the place with the plan, and closes the view. */
+  share(how: Share): void;
+  say(text: string): void;
+}
+
+export class Pane {
+  private readonly canvas = h("canvas", {
+    role: "img",
+    tabindex: "0",
+    "aria-label": "View out of the window",
+  });
+  private readonly caption = h("p", { class: "window-caption", "aria-live": "off" });
+  private readonly message = h("p", { class: "window-message hidden", role: "status" });
+  private readonly eyes: [Eye, HTMLButtonElement][];
+  private readonly bothButton = button("Both", () => this.both(), {
+    name: "Both: plan below the view, or not",
+    "aria-pressed": "false",
+  });
+  readonly root: HTMLElement;
+  private picture: Picture | null = null;
+  private state: "closed" | "loading" | "open" | "failed" | "lost" = "closed";
+  private built: Hello | null = null;
+  private readonly pointers = new Map<number, Pair>();
+  private look: Look = {
+    eye: "bridge",
+    vessel: 0,
+    bollard: 0,
+    turn_rad: 0,
+    raise_rad: 0,
+    view_rad: null,
+    off_m: 320,
+    panorama_rad: null,
+  };
+  /** The look that each eye was left with. */
+  private readonly left = new Map<Eye, Pick<Look, "turn_rad" | "raise_rad" | "view_rad">>();
+  private detail = 1;
+  private interval_ms = 16;
+  private drawn_ms = 0;
+  private turns = 0;
+  private settled_ms = 0;
+  /** Time of script of the last drawings [ms]. */
+  private readonly scripts: number[] = [];
+  private palette: PaletteName = "day";
+
+  constructor(
+    private readonly live: Live,
+    private readonly around: Around,
+    search = "",
+  ) {
+    const asked = lookOf(search);
+    if (asked) Object.assign(this.look, asked);
+    this.asked = asked === null ? null : asked.panorama_rad === null ? "view" : "alone";
+    this.eyes = EYES.map((eye, i) => [
+      eye,
+      button(EYE_NAMES[eye][0], () => this.choose(eye), {
+        name: `${EYE_NAMES[eye][0]}: view from the ${EYE_NAMES[eye][1]} (${i + 1})`,
+        "aria-pressed": "false",
+      }),
+    ]);
+    this.root = h(
+      "section",
+      { class: "window", "aria-label": "View out of the window" },
+      this.canvas,
+      this.caption,
+      this.message,
+      h(
+        "div",
+        { class: "window-tools", role: "toolbar", "aria-label": "View" },
+        ...this.eyes.map(([, each]) => each),
+        button("+", () => this.zoom(ZOOM_STEP), { name: "Narrower view (+)" }),
+        button("−", () => this.zoom(1 / ZOOM_STEP), { name: "Wider view (−)" }),
+        button("Reset", () => this.reset(), { name: "Reset: look ahead again (Home)" }),
+        button("Picture", () => void this.save(), { name: "Picture: save this view" }),
+        this.bothButton,
+        button("Plan", () => this.around.share("plan"), { name: "Plan: close the view (,)" }),
+      ),
+    );
+    this.listen();
+  }
+
+  /** What the address of the page asks for: a view, or nothing but a view; `null` if it asks for no view. */
+  readonly asked: "view" | "alone" | null;
+
+  /** Shows how the view shares its place. */
+  shares(how: Share): void {
+    setAttribute(this.bothButton, "aria-pressed", String(how === "both"));
+    if (how === "plan") return;
+    if (this.state === "closed") void this.load();
+  }
+
+  private both(): void {
+    this.around.share(this.bothButton.getAttribute("aria-pressed") === "true" ? "view" : "both");
+  }
+
+  private async load(): Promise<void> {
+    this.state = "loading";
+    this.tell("Loading the view …");
+    try {
+      const { Picture } = await import("./picture");
+      this.picture = new Picture(this.canvas, this.live, { cheap: isSoftware() });
+      this.picture.palette(this.palette);
+      this.state = "open";
+      this.tell("");
+    } catch (error) {
+      this.state = "failed";
+      this.tell(
+        "This browser draws no view: it has no WebGL, or the view could not be loaded. Plan and instruments work as before.",
+      );
+      setAttribute(this.root, "data-why", error instanceof Error ? error.message : String(error));
+    }
+  }
+
+  private tell(text: string): void {
+    setText(this.message, text);
+    setClass(this.message, "hidden", text === "");
+  }
+
+  setPalette(name: PaletteName): void {
+    this.palette = name;
+    this.picture?.palette(name);
+  }
+
+  // ------------------------------------------------------------------------------------------------------- eyes
+
+  private choose(eye: Eye): void {
+    const again = eye === this.look.eye;
+    if (eye === "tug") this.look.vessel = this.next(this.tugs(), again ? this.look.vessel : null);
+    else if (eye === "bollard") this.look.bollard = this.nextBollard(again);
+    if (!again) {
+      const { turn_rad, raise_rad, view_rad } = this.look;
+      this.left.set(this.look.eye, { turn_rad, raise_rad, view_rad });
+      Object.assign(
+        this.look,
+        this.left.get(eye) ?? { turn_rad: 0, raise_rad: 0, view_rad: null },
+        { eye, panorama_rad: null },
+      );
+    }
+    if (eye !== "tug") this.look.vessel = this.live.conned();
+    this.mark();
+  }
+
+  /** Chooses the eye with a number from 1. */
+  private numbered(number: number): boolean {
+    const found = this.eyes[number - 1];
+    if (!found || found[1].hidden) return false;
+    this.choose(found[0]);
+    return true;
+  }
+
+  private next(all: number[], now: number | null): number {
+    const at = now === null ? -1 : all.indexOf(now);
+    return all[(at + 1) % Math.max(1, all.length)] ?? 0;
+  }
+
+  private tugs(): number[] {
+    return (this.live.hello?.vessels ?? []).flatMap(({ is_tug }, i) => (is_tug ? [i] : []));
+  }
+
+  /** The bollard in the middle at first, then the next. */
+  private nextBollard(again: boolean): number {
+    const count = this.live.hello?.bollards.length ?? 0;
+    if (again) return (this.look.bollard + 1) % Math.max(1, count);
+    return this.left.has("bollard") ? this.look.bollard : Math.floor(count / 2);
+  }
+
+  private mark(): void {
+    const { hello } = this.live;
+    for (const [eye, each] of this.eyes) {
+      setAttribute(each, "aria-pressed", String(eye === this.look.eye));
+      const isThere =
+        eye === "tug"
+          ? this.tugs().length > 0
+          : eye === "bollard"
+            ? (hello?.bollards.length ?? 0) > 0
+            : true;
+      if (each.hidden === isThere) each.hidden = !isThere;
+    }
+  }
+
+  /** Name of the place, direction and angle of view. */
+  private describe(): void {
+    const { hello } = this.live;
+    if (!this.picture || !hello) return;
+    const { bearing_rad, elevation_rad, view_rad } = this.picture.gaze();
+    const { eye, vessel, bollard } = this.look;
+    const [, words] = EYE_NAMES[eye];
+    const whose =
+      eye === "bollard"
+        ? spoken(hello.bollards[bollard]?.name ?? "")
+        : spoken(hello.vessels[vessel]?.name ?? "");
+    const body = this.live.frame?.bodies[hello.vessels[vessel]?.body ?? -1];
+    const side =
+      body && eye !== "bollard" && eye !== "free" ? wrapped(bearing_rad - body[2]) : null;
+    const relative =
+      side === null
+        ? ""
+        : Math.abs(side) < 0.5 * DEG
+          ? " (ahead)"
+          : ` (${side < 0 ? "P" : "S"} ${fixed(Math.abs(toDegrees(side)), 0)}°)`;
+    setText(
+      this.caption,
+      `${words.replace(/^./, (c) => c.toUpperCase())}${whose ? `, ${whose}` : ""}: ${heading(bearing_rad, 0)}${relative}, ${elevation_rad < 0 ? "down" : "up"} ${fixed(Math.abs(toDegrees(elevation_rad)), 0)}°, view ${fixed(toDegrees(view_rad), 0)}°${this.detail < 1 ? "; coarse, because this machine draws slowly" : ""}`,
+    );
+    setAttribute(
+      this.canvas,
+      "aria-label",
+      `View from the ${words}${whose ? ` of ${whose}` : ""}, towards ${heading(bearing_rad, 0)}`,
+    );
+  }
+
+  private described_ms = 0;
+
+  // ---------------------------------------------------------------------------------------------------- drawing
+
+  draw(now_ms: number): void {
+    const { canvas, picture } = this;
+    const [width, height] = [canvas.clientWidth, canvas.clientHeight];
+    const { hello, frame } = this.live;
+    if (!picture || this.state !== "open" || !hello || !frame || width === 0 || height === 0) {
+      this.drawn_ms = 0;
+      return;
+    }
+    // On a machine that is slow even with a coarse picture the instruments have every second turn for themselves.
+    this.turns += 1;
+    if (this.detail <= LEAST_DETAIL && this.interval_ms > SLOWEST_MS && this.turns % 2 === 0)
+      return;
+    if (this.drawn_ms > 0) {
+      const since = Math.min(500, now_ms - this.drawn_ms);
+      this.interval_ms += 0.1 * (since - this.interval_ms);
+    }
+    this.drawn_ms = now_ms;
+    this.coarsen(now_ms);
+    const begun = performance.now();
+    const ratio = Math.min(2, window.devicePixelRatio || 1) * this.detail;
+    const sized = `${width} ${height} ${ratio}`;
+    if (canvas.dataset.sized !== sized) {
+      canvas.dataset.sized = sized;
+      picture.resize(width, height, ratio);
+    }
+    if (this.built !== hello) {
+      // Claims of helms come with a new greeting of the same scenario.
+      if (!this.built || !isSame(this.built, hello)) {
+        picture.build(hello, this.live.bodies(now_ms));
+        if (this.look.eye !== "tug") this.look.vessel = this.live.conned();
+        this.mark();
+      }
+      this.built = hello;
+    }
+    picture.draw(now_ms, this.look);
+    this.scripts.push(performance.now() - begun);
+    if (this.scripts.length > REMEMBERED) this.scripts.shift();
+    if (now_ms - this.described_ms > 200) {
+      this.described_ms = now_ms;
+      this.describe();
+      // For tests.
+      canvas.dataset.script = median(this.scripts).toFixed(2);
+      canvas.dataset.triangles = String(picture.triangles);
+      canvas.dataset.interval = this.interval_ms.toFixed(1);
+    }
+  }
+
+  /** A slow machine gets a coarser picture, so that the instruments do not wait for it. */
+  private coarsen(now_ms: number): void {
+    if (this.settled_ms === 0) this.settled_ms = now_ms;
+    if (now_ms - this.settled_ms < SETTLES_MS || this.detail <= LEAST_DETAIL) return;
+    this.settled_ms = now_ms;
+    if (this.interval_ms < SLOW_MS) return;
+    this.detail = Math.max(LEAST_DETAIL, this.detail * 0.75);
+    this.interval_ms = SLOW_MS * 0.8;
+  }
+
+  // ------------------------------------------------------------------------------------------------------- input
+
+  zoom(by: number): void {
+    if (this.look.eye === "free") {
+      this.look.off_m = clamp(this.look.off_m / by, ...OFF_LIMITS);
+      return;
+    }
+    const now = this.look.view_rad ?? this.picture?.gaze().view_rad ?? 0.8;
+    const view = 2 * Math.atan(Math.tan(now / 2) / by);
+    this.look.view_rad = clamp(view, ...VIEW_LIMITS);
+    this.look.panorama_rad = null;
+  }
+
+  private reset(): void {
+    Object.assign(this.look, { turn_rad: 0, raise_rad: 0, view_rad: null });
+    this.look.off_m = 320;
+  }
+
+  private turn(by_rad: number, up_rad: number): void {
+    this.look.turn_rad = wrapped(this.look.turn_rad + by_rad);
+    this.look.raise_rad = clamp(this.look.raise_rad + up_rad, -1.5, 1.5);
+  }
+
+  private view(): number {
+    return this.picture?.gaze().view_rad ?? 0.8;
+  }
+
+  private listen(): void {
+    const { canvas } = this;
+    canvas.addEventListener("webglcontextlost", (event) => {
+      event.preventDefault();
+      this.state = "lost";
+      this.tell(
+        "The graphics of this machine stopped. Plan and instruments work as before; the view comes back by itself if it can.",
+      );
+    });
+    canvas.addEventListener("webglcontextrestored", () => {
+      this.state = "open";
+      this.built = null;
+      this.tell("");
+    });
+    canvas.addEventListener("pointerdown", (event) => {
+      canvas.setPointerCapture(event.pointerId);
+      this.pointers.set(event.pointerId, [event.clientX, event.clientY]);
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      const before = this.pointers.get(event.pointerId);
+      if (!before) return;
+      const now: Pair = [event.clientX, event.clientY];
+      const other = [...this.pointers].find(([id]) => id !== event.pointerId)?.[1];
+      this.pointers.set(event.pointerId, now);
+      if (other) {
+        const [was, is] = [before, now].map((p) => Math.hypot(p[0] - other[0], p[1] - other[1]));
+        if (was && is && was > 10) this.zoom(is / was);
+        return;
+      }
+      // The picture goes with the finger.
+      const per_px =
+        this.look.eye === "free" ? 0.006 : this.view() / Math.max(1, canvas.clientHeight);
+      this.turn(-(now[0] - before[0]) * per_px, (now[1] - before[1]) * per_px);
+    });
+    for (const end of ["pointerup", "pointercancel"] as const)
+      canvas.addEventListener(end, (event) => this.pointers.delete(event.pointerId));
+    canvas.addEventListener(
+      "wheel",
+      (event) => {
+        event.preventDefault();
+        this.zoom(Math.exp(-event.deltaY * 0.0015));
+      },
+      { passive: false },
+    );
+    canvas.addEventListener("keydown", (event) => {
+      if (event.ctrlKey || event.altKey || event.metaKey) return;
+      const step = this.view() * KEY_SHARE;
+      const done: Record<string, () => void> = {
+        ArrowLeft: () => this.turn(-step, 0),
+        ArrowRight: () => this.turn(step, 0),
+        ArrowUp: () => this.turn(0, step),
+        ArrowDown: () => this.turn(0, -step),
+        "+": () => this.zoom(ZOOM_STEP),
+        "=": () => this.zoom(ZOOM_STEP),
+        "-": () => this.zoom(1 / ZOOM_STEP),
+        Home: () => this.reset(),
+      };
+      const act = done[event.key];
+      if (act) act();
+      else if (!this.numbered(Number(event.key))) return;
+      // The rudder has the same arrows elsewhere on the page.
+      event.preventDefault();
+      event.stopPropagation();
+    });
+  }
+
+  /** Saves what is seen as a picture, with all detail. */
+  private async save(): Promise<void> {
+    const { picture, canvas } = this;
+    if (!picture || this.state !== "open") return;
+    const width = Math.max(1280, Math.min(1920, 2 * canvas.clientWidth));
+    const height = Math.round((width * canvas.clientHeight) / Math.max(1, canvas.clientWidth));
+    const blob = await picture.still(width, height, this.look, performance.now());
+    if (!blob) {
+      this.around.say("The browser made no picture of this view.");
+      return;
+    }
+    const url = URL.createObjectURL(blob);
+    const t_s = Math.round(this.live.frame?.t_s ?? 0);
+    const name = `${fileNameOf(this.live.hello?.title ?? "")}-${this.look.eye}-${t_s}s.png`;
+    h("a", { href: url, download: name }).click();
+    setTimeout(() => URL.revokeObjectURL(url), SAVED_MS);
+  }
+}
+
+const median = (all: number[]): number =>
+  all.toSorted((a, b) => a - b)[Math.floor(all.length / 2)] ?? 0;
+
+const clamp = (value: number, least: number, most: number): number =>
+  Math.min(most, Math.max(least, value));
+
+/** Whether two greetings have the same things in the picture. */
+function isSame(a: Hello, b: Hello): boolean {
+  const of = ({
+    file,
+    bodies,
+    vessels,
+    fenders,
+    lines,
+    anchors,
+    bollards,
+    tugs,
+    traffic,
+    chart,
+    role,
+  }: Hello) =>
+    JSON.stringify([
+      file,
+      bodies,
+      vessels,
+      fenders,
+      lines,
+      anchors,
+      bollards,
+      tugs,
+      traffic,
+      chart.length,
+      role,
+    ]);
+  return of(a) === of(b);
+}
+
+/** Whether WebGL is computed by the processor. */
+function isSoftware(): boolean {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  const info = gl?.getExtension("WEBGL_debug_renderer_info");
+  const name = gl && info ? String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL)) : "";
+  gl?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+}

@@ -1,0 +1,754 @@
+/**
+ * The picture out of the window: one renderer, one scene, one camera. It draws what frames say, between the same two ticks as
+ * the plan, and computes no physics.
+ */
+import {
+  ACESFilmicToneMapping,
+  Color,
+  DirectionalLight,
+  Group,
+  HemisphereLight,
+  Matrix4,
+  Mesh,
+  PCFShadowMap,
+  PerspectiveCamera,
+  Scene,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+} from "three";
+import { type Arrangement, type Vessel, arrangementOf } from "./arrangement";
+import { type Attitude, LEVEL, aim, clamp, stand } from "./aim";
+import { type Triple, aboard, toPicture } from "./axes";
+import { QUAY_M, STEM_M, bollard, fixedParts } from "./berth";
+import { catenary, weightOf } from "./catenary";
+import { type Seat, seatAtBollard, seatOn } from "./eyes";
+import { Fenders, geometryOf } from "./fenders";
+import type { Paint } from "./fittings";
+import { Glows } from "./glows";
+import { type Lamp, type LampColour, atAnchor, bearingFrom, isSeen, underWay } from "./lamps";
+import { MOST_TREES, cut, land } from "./land";
+import { type Sun, PALETTE_SUNS, density, lightOf } from "./light";
+import type { Look } from "./look";
+import { lampHeight, mark } from "./marks";
+import { type Shared, paintwork } from "./paintwork";
+import { PIECES, Ropes } from "./ropes";
+import { Sea, type Wake } from "./sea";
+import { PAINTS, shipParts } from "./ship";
+import { shine, sky, skyUniforms } from "./sky";
+import { Solids, linearOf } from "./solids";
+import { TUG_PAINT } from "./tug";
+import { components, surface } from "./waves";
+import { isLit } from "../character";
+import { onEarth, turned } from "../geometry";
+import { type Live, isOfTug } from "../live";
+import type { PaletteName } from "../palette";
+import type { BodyNow, Frame, Hello, LineInfo, LineNow, Pair } from "../protocol";
+
+/** Picture of a vessel, or of a ship that passes. */
+interface Ship {
+  /** Index of the body; −1 for a ship that passes. */
+  body: number;
+  /** Index in `Hello.vessels`, or in `Hello.traffic`. */
+  index: number;
+  arrangement: Arrangement;
+  group: Group;
+  lamps: Lamp[];
+  anchored: Lamp[];
+}
+
+/** Slack below which a line counts as without tension [N]. */
+const SLACK_N = 50;
+/** Half the side of the square that casts shadows [m]. */
+const SHADOW_M = 170;
+/** Vector tugs lie this far from the side while they do nothing, and pull on a line this long, as on the plan [m]. */
+const IDLE_OFF_M = 14;
+const TOW_M = 45;
+
+export interface Options {
+  /** A software renderer smooths no edges, casts no shadows and has fewer trees: it would draw too seldom. */
+  cheap: boolean;
+}
+
+export class Picture {
+  readonly renderer: WebGLRenderer;
+  readonly camera = new PerspectiveCamera(45, 1, 0.35, 70_000);
+  private readonly scene = new Scene();
+  private readonly shared: Shared = { ...skyUniforms(), uLamps: { value: 0 } };
+  private readonly direct = new DirectionalLight();
+  private readonly ambient = new HemisphereLight();
+  private readonly sea: Sea;
+  private readonly dome = sky(this.shared);
+  private readonly ropes = new Ropes(this.shared, 64);
+  private readonly glows = new Glows(this.shared, 1024);
+  private fenders: Fenders | null = null;
+  private ships: Ship[] = [];
+  private tugs: { group: Group; arrangement: Arrangement; lamps: Lamp[] }[] = [];
+  private bodies: (Group | null)[] = [];
+  private hello: Hello | null = null;
+  private origin: Pair = [0, 0];
+  private sun: Sun = PALETTE_SUNS.day;
+  private isDark = false;
+  private visibility_m: number | null | undefined;
+  /** Triangles of the last drawing. */
+  triangles = 0;
+  private waves = components(null);
+  private waveKey = "";
+  private built = new Group();
+
+  constructor(
+    canvas: HTMLCanvasElement,
+    private readonly live: Live,
+    private readonly options: Options,
+  ) {
+    this.sea = new Sea(this.shared, options.cheap ? 1 : 8);
+    this.renderer = new WebGLRenderer({
+      canvas,
+      antialias: !options.cheap,
+      powerPreference: "high-performance",
+    });
+    this.renderer.toneMapping = ACESFilmicToneMapping;
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.direct.castShadow = !options.cheap;
+    this.direct.shadow.mapSize.set(2048, 2048);
+    const { camera } = this.direct.shadow;
+    camera.left = camera.bottom = -SHADOW_M;
+    camera.right = camera.top = SHADOW_M;
+    camera.near = 10;
+    camera.far = 1200;
+    this.direct.shadow.bias = -0.0004;
+    this.direct.shadow.normalBias = 0.35;
+    this.scene.add(
+      this.dome,
+      this.sea.mesh,
+      this.ambient,
+      this.direct,
+      this.direct.target,
+      this.ropes.mesh,
+      this.glows.points,
+      this.built,
+    );
+    this.camera.rotation.order = "YXZ";
+  }
+
+  /** Resizes to CSS pixels at a share of the screen's resolution. */
+  resize(width: number, height: number, ratio: number): void {
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.ropes.pixels(width * ratio, height * ratio);
+    this.glows.scale(height * ratio);
+  }
+
+  private clear(): void {
+    this.built.traverse((each) => {
+      if (!(each instanceof Mesh)) return;
+      each.geometry.dispose();
+      for (const material of [each.material].flat()) material.dispose();
+    });
+    this.built.clear();
+  }
+
+  /**
+   * A picture of what the eye sees, with all detail: drawn at twice its size, so that edges are smooth, and with shadows.
+   */
+  async still(width: number, height: number, look: Look, now_ms: number): Promise<Blob | null> {
+    const { renderer, direct } = this;
+    const [ratio, casts] = [renderer.getPixelRatio(), direct.castShadow];
+    const { width: before, height: tall } = renderer.getSize(new Vector2());
+    const most = renderer.capabilities.maxTextureSize;
+    this.resize(width, height, Math.min(2, most / Math.max(width, height)));
+    direct.castShadow = renderer.shadowMap.autoUpdate = renderer.shadowMap.enabled = true;
+    this.draw(now_ms, look);
+    const small = document.createElement("canvas");
+    [small.width, small.height] = [width, height];
+    const to = small.getContext("2d");
+    if (to) to.imageSmoothingQuality = "high";
+    // Browsers forget a picture after it was shown: it is copied in the same turn.
+    to?.drawImage(renderer.domElement, 0, 0, width, height);
+    direct.castShadow = casts;
+    this.resize(before, tall, ratio);
+    return new Promise((done) => small.toBlob(done, "image/png"));
+  }
+
+  // --------------------------------------------------------------------------------------------------- building
+
+  /** Builds everything of a scenario: once, and again when it changes. */
+  build(hello: Hello, bodies: (BodyNow | null)[]): void {
+    this.clear();
+    this.hello = hello;
+    const ship = bodies[this.live.body()] ?? bodies.find((body) => body !== null);
+    // A round place, so that two windows of one session have the same axes.
+    this.origin = ship
+      ? [Math.round(ship[0] / 1000) * 1000, Math.round(ship[1] / 1000) * 1000]
+      : [0, 0];
+    this.waveKey = "";
+    const concrete = paintwork(this.shared, "concrete");
+    const steel = paintwork(this.shared, "steel");
+    const panes = paintwork(this.shared, "panes");
+    const plain = paintwork(this.shared, "plain", true);
+    this.ships = [];
+    this.bodies = hello.bodies.map(({ fixed, outline }, i) => {
+      const group = new Group();
+      const vessel = hello.vessels.findIndex(({ body }) => body === i);
+      if (fixed) {
+        const parts = new Solids();
+        fixedParts(outline, cut, parts);
+        const mesh = new Mesh(geometryOf(parts), concrete);
+        mesh.receiveShadow = mesh.castShadow = true;
+        group.add(mesh);
+      } else {
+        const info = hello.vessels[vessel];
+        const known = info ?? unknown(outline, hello.bodies[i]?.name ?? "");
+        const built = this.ship(known, outline, vessel >= 0 ? vessel : i, [steel, panes]);
+        group.add(built.group);
+        this.ships.push({ ...built, body: i, index: vessel, group });
+      }
+      this.built.add(group);
+      return group;
+    });
+    hello.traffic.forEach(({ name, outline }, i) => {
+      const built = this.ship(unknown(outline, name), outline, i + 1, [steel, panes]);
+      this.built.add(built.group);
+      this.ships.push({ ...built, body: -1, index: i });
+    });
+    this.tugs = hello.tugs.map(({ name, length_m, beam_m }) => {
+      const half = length_m / 2;
+      const outline = TUG_OUTLINE.map(([x, y]): Pair => [x * half, (y * beam_m) / 2]);
+      const vessel = { title: name, length_m, beam_m, draught_m: 0.13 * length_m, is_tug: true };
+      const built = this.ship(vessel, outline, 0, [steel, panes]);
+      this.built.add(built.group);
+      return built;
+    });
+    this.furnish(hello, steel);
+    this.fenders = new Fenders(
+      hello.fenders,
+      (body) => this.bodies[body] ?? null,
+      (fender) => isOfTug(fender, hello),
+      plain,
+    );
+    const fixed = hello.bodies.flatMap(({ fixed, outline }, i): Pair[][] => {
+      const on = bodies[i];
+      return fixed && on ? [outline.map((at) => onEarth(on, at))] : [];
+    });
+    const { meshes } = land(
+      hello,
+      fixed,
+      this.origin,
+      this.shared,
+      this.options.cheap ? MOST_TREES / 4 : MOST_TREES,
+    );
+    const marks = new Solids();
+    for (const feature of hello.chart) {
+      const at = feature.lines[0]?.[0];
+      if (at && feature.shape === "point")
+        mark(feature, [at[0] - this.origin[0], at[1] - this.origin[1]], marks);
+    }
+    const marksMesh = new Mesh(geometryOf(marks), plain);
+    marksMesh.castShadow = true;
+    this.built.add(...meshes, marksMesh);
+  }
+
+  private ship(
+    vessel: Vessel,
+    outline: Pair[],
+    index: number,
+    [steel, panes]: [Mesh["material"], Mesh["material"]],
+  ): { arrangement: Arrangement; group: Group; lamps: Lamp[]; anchored: Lamp[] } {
+    const arrangement = arrangementOf(vessel, outline);
+    const paint: Paint =
+      arrangement.kind === "tug" ? TUG_PAINT : (PAINTS[index % PAINTS.length] ?? TUG_PAINT);
+    const parts = shipParts(arrangement, paint);
+    const group = new Group();
+    const hull = new Mesh(geometryOf(parts.painted), steel);
+    hull.castShadow = hull.receiveShadow = true;
+    group.add(hull, new Mesh(geometryOf(parts.panes), panes));
+    return {
+      arrangement,
+      group,
+      lamps: underWay(arrangement, false),
+      anchored: atAnchor(arrangement),
+    };
+  }
+
+  /** Bollards, and lamps along quays. */
+  private furnish(hello: Hello, steel: Mesh["material"]): void {
+    const perBody = new Map<number, Solids>();
+    const on = (body: number) => {
+      let parts = perBody.get(body);
+      if (!parts) perBody.set(body, (parts = new Solids()));
+      return parts;
+    };
+    for (const { body, at_m } of hello.bollards) bollard(at_m, this.deck(body, at_m), on(body));
+    for (const { end } of hello.lines)
+      if (end && "body" in end && hello.bodies[end.body]?.fixed)
+        bollard(end.at_m, this.deck(end.body, end.at_m), on(end.body));
+    for (const [body, parts] of perBody) {
+      const mesh = new Mesh(geometryOf(parts), steel);
+      mesh.castShadow = true;
+      this.bodies[body]?.add(mesh);
+    }
+  }
+
+  /** Height of the deck of a body at a place above the water [m]. */
+  private deck(body: number, [forward]: Pair): number {
+    const ship = this.ships.find((each) => each.body === body);
+    return ship ? ship.arrangement.hull.deck_m(forward) : QUAY_M;
+  }
+
+  // ----------------------------------------------------------------------------------------------------- light
+
+  /** The palette of the page stands for the time of day where the run has no date. */
+  palette(name: PaletteName): void {
+    this.sun = PALETTE_SUNS[name];
+    this.visibility_m = undefined;
+  }
+
+  private lighten(visibility_m: number | null): void {
+    if (this.visibility_m === visibility_m) return;
+    this.visibility_m = visibility_m;
+    const light = lightOf(this.sun);
+    const haze = density(visibility_m);
+    // In fog the sun is a bright place at most.
+    const dim = visibility_m === null ? 1 : Math.min(1, visibility_m / 6000);
+    const direct: Triple = [light.direct[0] * dim, light.direct[1] * dim, light.direct[2] * dim];
+    const grey = (light.horizon[0] + light.horizon[1] + light.horizon[2]) / 3;
+    const dull = (c: Triple): Triple => [
+      c[0] * dim + grey * 1.05 * (1 - dim),
+      c[1] * dim + grey * 1.08 * (1 - dim),
+      c[2] * dim + grey * 1.12 * (1 - dim),
+    ];
+    shine(
+      this.shared,
+      {
+        ...light,
+        direct,
+        horizon: dull(light.horizon),
+        zenith: dull(light.zenith),
+        glow: [light.glow[0] * dim, light.glow[1] * dim, light.glow[2] * dim],
+        stars: light.stars * dim,
+      },
+      haze,
+    );
+    this.renderer.toneMappingExposure = light.exposure;
+    this.shared.uLamps.value = light.lamps;
+    this.isDark = light.lamps > 0;
+    this.direct.color = new Color(...direct);
+    this.direct.intensity = 1;
+    this.ambient.color = new Color(...dull(light.sky));
+    this.ambient.groundColor = new Color(...light.ground);
+    this.ambient.intensity = 1.5 + 0.6 * (1 - dim);
+    this.sea.colour(light.water);
+  }
+
+  // ----------------------------------------------------------------------------------------------------- drawing
+
+  draw(now_ms: number, look: Look): void {
+    const { frame } = this.live;
+    const { hello } = this;
+    if (!frame || !hello) return;
+    const bodies = this.live.bodies(now_ms);
+    const t_s = this.live.time(now_ms);
+    const share = this.live.share(now_ms);
+    this.lighten(frame.visibility_m);
+    this.place(bodies, frame, share);
+    this.fenders?.tick(frame.fenders);
+    this.aim(look, frame);
+    this.lines(frame, hello);
+    this.lights(frame, t_s);
+    const key = JSON.stringify(frame.waves);
+    if (key !== this.waveKey) {
+      this.waveKey = key;
+      this.waves = components(frame.waves);
+      this.sea.sea(this.waves, this.origin);
+    }
+    const { x, y, z } = this.camera.position;
+    this.sea.tick([x, y, z], t_s, frame.wind);
+    this.sea.wake(this.wakes(frame, bodies));
+    this.dome.position.copy(this.camera.position);
+    this.shadow(look);
+    this.renderer.render(this.scene, this.camera);
+    this.triangles = this.renderer.info.render.triangles;
+  }
+
+  private attitude(index: number, frame: Frame, share: number): Attitude {
+    const to = frame.vessels[index];
+    if (!to) return LEVEL;
+    const from = this.live.previous?.vessels[index] ?? to;
+    const mix = (a: number, b: number) => a + (b - a) * share;
+    return {
+      heel_rad: mix(from.heel_rad, to.heel_rad),
+      trim_rad: mix(from.trim_rad, to.trim_rad),
+      squat_m: mix(from.squat_m, to.squat_m),
+    };
+  }
+
+  private place(bodies: (BodyNow | null)[], frame: Frame, share: number): void {
+    const { live, origin } = this;
+    bodies.forEach((now, i) => {
+      const group = this.bodies[i];
+      if (!group) return;
+      group.visible = now !== null;
+      if (!now) return;
+      const index = live.hello?.vessels.findIndex(({ body }) => body === i) ?? -1;
+      stand(group, origin, now, index >= 0 ? this.attitude(index, frame, share) : LEVEL);
+    });
+    const passing = frame.traffic;
+    for (const ship of this.ships) {
+      if (ship.body >= 0) continue;
+      const now = passing[ship.index];
+      ship.group.visible = Boolean(now);
+      if (!now) continue;
+      stand(ship.group, origin, now, LEVEL);
+    }
+    this.placeTugs(bodies, frame);
+  }
+
+  /** Vector tugs lie at the place of their force, as on the plan. */
+  private placeTugs(bodies: (BodyNow | null)[], frame: Frame): void {
+    this.hello?.tugs.forEach((info, i) => {
+      const [now, built] = [frame.tugs[i], this.tugs[i]];
+      const ship = bodies[this.hello?.vessels[info.vessel]?.body ?? -1];
+      if (!built) return;
+      built.group.visible = Boolean(now && ship);
+      if (!now || !ship) return;
+      const pulls = now.order === "pull";
+      const at = pulls ? info.pull_at_m : info.push_at_m;
+      const side = Math.sign(at[1]) || 1;
+      const works = now.force_n > 1e3 || now.order !== "stop";
+      const toward = works ? now.direction_rad : (-side * Math.PI) / 2;
+      const half = info.length_m / 2;
+      const off = pulls ? TOW_M + half : -(half + (works ? 0.5 : IDLE_OFF_M));
+      const there = turned(toward, [off, 0]);
+      const place = onEarth(ship, [at[0] + there[0], at[1] + there[1]]);
+      built.group.position.set(...toPicture(this.origin, place, 0));
+      built.group.rotation.set(0, -(ship[2] + toward + (pulls ? Math.PI : 0)), 0, "YXZ");
+      built.group.updateMatrixWorld();
+    });
+  }
+
+  private shipOf(vessel: number): Ship | undefined {
+    return this.ships.find(({ body, index }) => body >= 0 && index === vessel);
+  }
+
+  /** Where the eye of a look is, and on which body; `null` for the free eye. */
+  seat(look: Look): { seat: Seat; on: Group } | null {
+    if (look.eye === "free") return null;
+    if (look.eye === "bollard") {
+      const info = this.hello?.bollards[look.bollard];
+      const on = info && this.bodies[info.body];
+      if (!info || !on) return null;
+      const facing = this.hello?.berth?.body === info.body ? this.hello.berth.facing : null;
+      const toward = facing ? Math.atan2(facing[1], facing[0]) : 0;
+      // Some steps behind the bollard, and beside it.
+      const back = turned(toward, [-4.5, -1.2]);
+      const at: Pair = [info.at_m[0] + back[0], info.at_m[1] + back[1]];
+      return { seat: seatAtBollard(at, this.deck(info.body, info.at_m), toward), on };
+    }
+    const ship = this.shipOf(look.vessel) ?? this.ships[0];
+    return ship ? { seat: seatOn(ship.arrangement, look.eye), on: ship.group } : null;
+  }
+
+  private aim(look: Look, frame: Frame): void {
+    const { camera } = this;
+    const at = this.seat(look);
+    if (at) {
+      aim(camera, at.seat, at.on.matrixWorld, look);
+    } else {
+      const ship = this.shipOf(look.vessel) ?? this.ships[0];
+      const centre = ship ? ship.group.position.clone() : new Vector3();
+      const heading = ship ? -ship.group.rotation.y : 0;
+      const bearing = heading + look.turn_rad + 2.5;
+      const high = clamp(0.3 - look.raise_rad, 0.02, 1.5);
+      camera.position.set(
+        centre.x + Math.sin(bearing) * Math.cos(high) * look.off_m,
+        Math.max(1.5, 6 + Math.sin(high) * look.off_m),
+        centre.z - Math.cos(bearing) * Math.cos(high) * look.off_m,
+      );
+      camera.lookAt(centre.x, 6, centre.z);
+      camera.fov = deg(look.view_rad ?? 0.75);
+    }
+    // An eye ashore or on a free place is never in a wave.
+    const sea = surface(
+      this.waves,
+      this.origin[0] - camera.position.z,
+      this.origin[1] + camera.position.x,
+      frame.t_s,
+    );
+    camera.position.y = Math.max(camera.position.y, sea + 0.8);
+    camera.updateProjectionMatrix();
+    camera.updateMatrixWorld();
+  }
+
+  /** Direction in which the camera looks, from north [rad], its elevation, and its vertical angle of view. */
+  gaze(): { bearing_rad: number; elevation_rad: number; view_rad: number } {
+    const d = this.camera.getWorldDirection(new Vector3());
+    return {
+      bearing_rad: Math.atan2(d.x, -d.z),
+      elevation_rad: Math.asin(clamp(d.y, -1, 1)),
+      view_rad: (this.camera.fov * Math.PI) / 180,
+    };
+  }
+
+  // -------------------------------------------------------------------------------------------- lines and chains
+
+  private lines(frame: Frame, hello: Hello): void {
+    this.ropes.begin();
+    hello.lines.forEach((info, i) => {
+      const now = frame.lines[i];
+      if (!now || (now.state !== "fast" && now.state !== "sent")) return;
+      const ends = this.lineEnds(info, now, hello);
+      if (!ends) return;
+      const points = catenary(
+        ...ends,
+        {
+          tension_n: now.state === "fast" && now.tension_n > SLACK_N ? now.tension_n : 0,
+          length_m: now.length_m,
+          weight_npm: weightOf(info.breaking_n),
+        },
+        PIECES,
+      );
+      // A rope of 1 MN is about 60 mm thick.
+      const radius = 0.03 * Math.sqrt(info.breaking_n / 1e6);
+      this.ropes.add(points, linearOf(now.over_working ? 0xe05a2a : 0xcfc6a8), radius);
+    });
+    hello.anchors.forEach((info, i) => {
+      const now = frame.anchors[i];
+      const on = this.bodies[info.ship];
+      if (!now || !on || now.state === "housed" || now.state === "lost" || !on.visible) return;
+      const ship = this.ships.find(({ body }) => body === info.ship);
+      const up = ship ? ship.arrangement.hull.deck_m(info.hawse_m[0]) - 3 : 4;
+      const from = this.worldOf(on, aboard(info.hawse_m, up));
+      // The chain goes into the water in its lead; what lies below is not seen.
+      const lead = now.lead_rad ?? 0;
+      const off = now.lead_rad === null ? 0.05 : up * (0.3 + Math.min(3, now.tension_n / 2e5));
+      const heading = -on.rotation.y + lead;
+      const to: Triple = [
+        from[0] + Math.sin(heading) * off,
+        -1.5,
+        from[2] - Math.cos(heading) * off,
+      ];
+      const points = catenary(from, to, { tension_n: 1e9, length_m: null, weight_npm: 1 }, PIECES);
+      this.ropes.add(points, linearOf(0x4a4642), 0.11);
+    });
+    hello.tugs.forEach((info, i) => {
+      const [now, built] = [frame.tugs[i], this.tugs[i]];
+      const on = this.bodies[hello.vessels[info.vessel]?.body ?? -1];
+      if (!now || !built || !on || now.order !== "pull" || !built.group.visible) return;
+      const { hull } = built.arrangement;
+      const staple = hull.aft_m + 0.93 * built.arrangement.length_m;
+      const points = catenary(
+        this.worldOf(built.group, aboard([staple, 0], hull.deck_m(staple) + 1.5)),
+        this.worldOf(
+          on,
+          aboard(
+            info.pull_at_m,
+            this.deck(hello.vessels[info.vessel]?.body ?? -1, info.pull_at_m) + 0.3,
+          ),
+        ),
+        { tension_n: Math.max(2e4, now.force_n), length_m: null, weight_npm: weightOf(2e6) },
+        PIECES,
+      );
+      this.ropes.add(points, linearOf(0xd8b23a), 0.045);
+    });
+    this.ropes.end();
+  }
+
+  private worldOf(group: Group, [x, y, z]: Triple): Triple {
+    const at = new Vector3(x, y, z).applyMatrix4(group.matrixWorld);
+    return [at.x, at.y, at.z];
+  }
+
+  /** Both ends of a line: its fairlead, and the bollard or place where it is fast. */
+  private lineEnds(info: LineInfo, now: LineNow, hello: Hello): [Triple, Triple] | null {
+    const ship = this.bodies[info.ship];
+    if (!ship?.visible) return null;
+    const from = this.worldOf(
+      ship,
+      aboard(info.fairlead_m, this.fairlead(info.ship, info.fairlead_m)),
+    );
+    const end = now.bollard === null ? info.end : hello.bollards[now.bollard];
+    if (!end) return null;
+    if ("place_m" in end) return [from, toPicture(this.origin, end.place_m, QUAY_M + 0.3)];
+    const on = this.bodies[end.body];
+    if (!on) return null;
+    const isShip = this.ships.some(({ body }) => body === end.body);
+    const up = isShip
+      ? this.fairlead(end.body, end.at_m)
+      : this.deck(end.body, end.at_m) + STEM_M - 0.15;
+    return [from, this.worldOf(on, aboard(end.at_m, up))];
+  }
+
+  /** Height of a fairlead above the water: on a tug her staple, else a hand above the deck [m]. */
+  private fairlead(body: number, at: Pair): number {
+    const ship = this.ships.find((each) => each.body === body);
+    if (!ship) return QUAY_M;
+    const { hull, kind, length_m } = ship.arrangement;
+    return hull.deck_m(at[0]) + (kind === "tug" ? 0.05 * length_m : 0.35);
+  }
+
+  // -------------------------------------------------------------------------------------------------------- lights
+
+  private lights(frame: Frame, t_s: number): void {
+    this.glows.begin();
+    // Rule 20: lights from sunset on, and in restricted visibility.
+    const fog = frame.visibility_m !== null && frame.visibility_m < 3700;
+    if (this.isDark || fog) {
+      for (const ship of this.ships) this.shipLights(ship, frame);
+      for (const { group, lamps } of this.tugs) if (group.visible) this.glow(group, lamps, 1);
+    }
+    if (this.isDark) {
+      for (const feature of this.hello?.chart ?? []) this.chartLight(feature, t_s);
+    }
+    this.glows.end();
+  }
+
+  private shipLights(ship: Ship, frame: Frame): void {
+    if (!ship.group.visible) return;
+    const anchored =
+      ship.body >= 0 &&
+      (this.hello?.anchors.some(
+        (anchor, i) => anchor.ship === ship.body && frame.anchors[i]?.state === "on_bottom",
+      ) ??
+        false) &&
+      Math.hypot(...(frame.vessels[ship.index]?.ground_mps ?? [0, 0])) < 0.3;
+    const tows =
+      this.hello?.lines.some(
+        (line, i) =>
+          line.ship === ship.body &&
+          ship.arrangement.kind === "tug" &&
+          frame.lines[i]?.state === "fast",
+      ) ?? false;
+    this.glow(
+      ship.group,
+      anchored ? ship.anchored : tows ? underWay(ship.arrangement, true) : ship.lamps,
+      1,
+    );
+  }
+
+  private readonly inverse = new Matrix4();
+  private readonly eye = new Vector3();
+  private readonly spot = new Vector3();
+
+  private glow(group: Group, lamps: Lamp[], strength: number): void {
+    const eye = this.eye
+      .copy(this.camera.position)
+      .applyMatrix4(this.inverse.copy(group.matrixWorld).invert());
+    for (const { at, colour, arc } of lamps) {
+      if (!isSeen(arc, bearingFrom(at, [eye.x, eye.y, eye.z]))) continue;
+      // A lamp beside the eye would fill the picture.
+      if (Math.hypot(eye.x - at[0], eye.y - at[1], eye.z - at[2]) < 4) continue;
+      const { x, y, z } = this.spot.set(...at).applyMatrix4(group.matrixWorld);
+      this.glows.add(x, y, z, colour, strength);
+    }
+  }
+
+  private chartLight(feature: Hello["chart"][number], t_s: number): void {
+    const at = feature.lines[0]?.[0];
+    const isMark = feature.kind === "buoy" || feature.kind === "beacon" || feature.kind === "light";
+    if (!at || !isMark || feature.shape !== "point") return;
+    // A mark of which the chart gives no character has no light.
+    if (feature.kind !== "light" && !feature.character) return;
+    if (!isLit(feature.character ?? "", feature.period_s, t_s)) return;
+    const [x, y, z] = toPicture(this.origin, at, lampHeight(feature));
+    const { x: ex, z: ez } = this.camera.position;
+    const bearing = Math.atan2(ex - x, -(ez - z));
+    if (!isSeen(feature.sector_rad, bearing)) return;
+    const away = Math.hypot(ex - x, ez - z);
+    if (feature.range_m !== null && away > feature.range_m) return;
+    this.glows.add(x, y, z, lampColour(feature.colour), 1.15);
+  }
+
+  // ------------------------------------------------------------------------------------------------ wakes, shadows
+
+  private wakes(frame: Frame, bodies: (BodyNow | null)[]): Wake[] {
+    const { x, z } = this.camera.position;
+    return this.ships
+      .flatMap((ship): (Wake & { away: number })[] => {
+        if (!ship.group.visible) return [];
+        const now = ship.body >= 0 ? bodies[ship.body] : frame.traffic[ship.index];
+        if (!now) return [];
+        const { arrangement, group } = ship;
+        const info = ship.body >= 0 ? frame.vessels[ship.index] : undefined;
+        const ahead = now[3] * Math.cos(now[2]) + now[4] * Math.sin(now[2]);
+        const azimuths = info?.azimuths ?? [];
+        // Azimuth units wash where they point; astern of her counts.
+        const wash = azimuths.length
+          ? azimuths.reduce((sum, a) => sum + a.power * Math.cos(a.direction_rad), 0) /
+            azimuths.length
+          : (info?.shaft.now ?? 0);
+        return [
+          {
+            at: [group.position.x, 0, group.position.z],
+            heading_rad: now[2],
+            length_m: arrangement.length_m,
+            beam_m: arrangement.beam_m,
+            speed_mps: info?.water_mps[0] ?? ahead,
+            wash,
+            away: Math.hypot(group.position.x - x, group.position.z - z),
+          },
+        ];
+      })
+      .toSorted((a, b) => a.away - b.away);
+  }
+
+  private drawn = 0;
+
+  /** The square that casts shadows lies before the eye; shadows move slowly, so each fourth picture renews them. */
+  private shadow(look: Look): void {
+    const { direct, camera } = this;
+    if (!direct.castShadow) return;
+    this.drawn += 1;
+    if (!this.options.cheap)
+      this.renderer.shadowMap.autoUpdate = this.drawn % 4 === 1 || look.eye === "free";
+    const light = lightOf(this.sun).from;
+    const ahead = camera.getWorldDirection(new Vector3());
+    const reach = look.eye === "free" ? Math.min(look.off_m, 250) : SHADOW_M * 0.7;
+    // In whole steps, so that shadows do not creep.
+    const step = 8;
+    const round = (v: number) => Math.round(v / step) * step;
+    direct.target.position.set(
+      round(camera.position.x + ahead.x * reach),
+      0,
+      round(camera.position.z + ahead.z * reach),
+    );
+    direct.position
+      .set(...light)
+      .multiplyScalar(500)
+      .add(direct.target.position);
+    direct.target.updateMatrixWorld();
+  }
+}
+
+const deg = (rad: number): number => (rad * 180) / Math.PI;
+const lampColour = (colour: string | null): LampColour =>
+  colour === "red" || colour === "green" || colour === "yellow" ? colour : "white";
+
+/** A body without a vessel: her size is that of her outline, her draught that of usual ships. */
+function unknown(outline: Pair[], name: string): Vessel {
+  const span = (axis: 0 | 1) => {
+    const all = outline.map((p) => p[axis]);
+    return Math.max(...all) - Math.min(...all);
+  };
+  return {
+    title: name,
+    length_m: span(0),
+    beam_m: span(1),
+    draught_m: 0.33 * span(1),
+    is_tug: false,
+  };
+}
+
+/** Outline of a vector tug, in half lengths and half beams, as on the plan. */
+const TUG_OUTLINE: Pair[] = [
+  [-1, -0.75],
+  [-0.8, -1],
+  [0.35, -1],
+  [0.8, -0.62],
+  [1, 0],
+  [0.8, 0.62],
+  [0.35, 1],
+  [-0.8, 1],
+  [-1, 0.75],
+];

@@ -1,0 +1,527 @@
+/** The view out of the window: known answers of its geometry, without a renderer. */
+import { Group, Mesh, MeshBasicMaterial, PerspectiveCamera, Vector3 } from "three";
+import { describe, expect, test } from "vitest";
+import { LEVEL, aim, stand } from "../src/bridge/aim";
+import { arrangementOf, kindOf } from "../src/bridge/arrangement";
+import { aboard, toPicture } from "../src/bridge/axes";
+import { area2, bollard, inset } from "../src/bridge/berth";
+import { catenary, parameterByLength } from "../src/bridge/catenary";
+import { seatOn, vertical } from "../src/bridge/eyes";
+import { Fenders, faceOff } from "../src/bridge/fenders";
+import { breadthOf } from "../src/bridge/hull";
+import { atAnchor, bearingFrom, isSeen, underWay } from "../src/bridge/lamps";
+import { cut, isInside, width } from "../src/bridge/land";
+import { density, sunAt } from "../src/bridge/light";
+import { type Look, lookOf } from "../src/bridge/look";
+import { mark } from "../src/bridge/marks";
+import { PAINTS, shipParts } from "../src/bridge/ship";
+import { Solids } from "../src/bridge/solids";
+import { TUG_PAINT } from "../src/bridge/tug";
+import { components, surface } from "../src/bridge/waves";
+import { onEarth } from "../src/geometry";
+import type { BodyNow, ChartInfo, FenderInfo, FenderNow, Pair } from "../src/protocol";
+
+const DEG = Math.PI / 180;
+const [WIDE, HIGH] = [1280, 720];
+
+/** The bulk carrier of `scenarios/live/harbour.toml`. */
+const BULKER: Pair[] = [
+  [-93, -9],
+  [-84, -13.5],
+  [-68, -15],
+  [58, -15],
+  [74, -12.5],
+  [86, -6.5],
+  [92, 0],
+  [86, 6.5],
+  [74, 12.5],
+  [58, 15],
+  [-68, 15],
+  [-84, 13.5],
+  [-93, 9],
+];
+const VESSEL = { title: "bulker", length_m: 180, beam_m: 30, draught_m: 10.5, is_tug: false };
+const TUG: Pair[] = [
+  [-16, -4.5],
+  [-13, -6],
+  [6, -6],
+  [13, -4],
+  [16, -1.5],
+  [16, 1.5],
+  [13, 4],
+  [6, 6],
+  [-13, 6],
+  [-16, 4.5],
+];
+const LOOK: Look = {
+  eye: "bridge",
+  vessel: 0,
+  bollard: 0,
+  turn_rad: 0,
+  raise_rad: 0,
+  view_rad: null,
+  off_m: 300,
+  panorama_rad: null,
+};
+const ORIGIN: Pair = [1000, -2000];
+
+/** Where the camera draws a place of the picture [px]. */
+function drawn(camera: PerspectiveCamera, at: Vector3): Pair {
+  const { x, y } = at.clone().project(camera);
+  return [((x + 1) / 2) * WIDE, ((1 - y) / 2) * HIGH];
+}
+
+/**
+ * The same by hand, for a level ship: distance ahead, to the right and up from an eye that looks along a bearing with an
+ * elevation, by trigonometry alone.
+ */
+function byHand(
+  eye: [north: number, east: number, up: number],
+  [bearing, elevation, view]: [number, number, number],
+  at: [north: number, east: number, up: number],
+): Pair {
+  const [n, e, u] = [at[0] - eye[0], at[1] - eye[1], at[2] - eye[2]];
+  const flat = n * Math.cos(bearing) + e * Math.sin(bearing);
+  const right = e * Math.cos(bearing) - n * Math.sin(bearing);
+  const ahead = flat * Math.cos(elevation) + u * Math.sin(elevation);
+  const above = u * Math.cos(elevation) - flat * Math.sin(elevation);
+  const focal = HIGH / 2 / Math.tan(view / 2);
+  return [WIDE / 2 + (focal * right) / ahead, HIGH / 2 - (focal * above) / ahead];
+}
+
+const near = (found: Pair, wanted: Pair) => {
+  expect(Math.abs(found[0] - wanted[0])).toBeLessThan(1);
+  expect(Math.abs(found[1] - wanted[1])).toBeLessThan(1);
+};
+
+/** Middle of the highest corners of a part, in its axes. */
+function topOf(solids: Solids): Vector3 {
+  const all = Array.from(
+    { length: solids.positions.length / 3 },
+    (_, i) => new Vector3(...solids.positions.slice(3 * i, 3 * i + 3)),
+  );
+  const high = Math.max(...all.map(({ y }) => y));
+  const top = all.filter(({ y }) => y > high - 1e-6);
+  return top.reduce((sum, each) => sum.add(each), new Vector3()).divideScalar(top.length);
+}
+
+describe("a camera on the starboard wing", () => {
+  const ship: BodyNow = [1400, -1700, 20 * DEG, 0, 0, 0];
+  const arrangement = arrangementOf(VESSEL, BULKER);
+  const seat = seatOn(arrangement, "starboard-wing");
+  const group = new Group();
+  stand(group, ORIGIN, ship, LEVEL);
+  const camera = new PerspectiveCamera(40, WIDE / HIGH, 0.3, 70_000);
+  const look = { ...LOOK, turn_rad: 25 * DEG, raise_rad: -4 * DEG };
+  aim(camera, seat, group.matrixWorld, look);
+  const eye = onEarth(ship, seat.at);
+  const gaze: [number, number, number] = [
+    20 * DEG + seat.bearing_rad + look.turn_rad,
+    seat.elevation_rad + look.raise_rad,
+    seat.view_rad,
+  ];
+  const quay: BodyNow = [1460, -1640, 20 * DEG, 0, 0, 0];
+  const shore = new Group();
+  stand(shore, ORIGIN, quay, LEVEL);
+
+  test("draws a bollard where its place says", () => {
+    const solids = new Solids();
+    bollard([25, 1.5], 3.5, solids);
+    const found = drawn(camera, topOf(solids).applyMatrix4(shore.matrixWorld));
+    const [n, e] = onEarth(quay, [25, 1.5]);
+    near(found, byHand([...eye, seat.up_m], gaze, [n, e, 3.5 + 0.55]));
+  });
+
+  test("draws the face of a pressed fender where its deflection says", () => {
+    const info: FenderInfo = {
+      name: "cone_1",
+      body: 0,
+      at_m: [-10, 0],
+      facing_rad: -90 * DEG,
+      width_m: 2.4,
+      projection_m: 1.9,
+      rated_deflection_m: 1.15,
+      rated_reaction_n: 1.5e6,
+      rated_energy_j: 1.3e6,
+    };
+    const now: FenderNow = {
+      deflection_m: 0.62,
+      reaction_n: 6e5,
+      energy_j: 3e5,
+      of_energy: 0.2,
+      of_reaction: 0.4,
+      peak_of_energy: 0.2,
+      peak_of_reaction: 0.4,
+      failed: false,
+      over_rated: false,
+      touched: true,
+    };
+    const fenders = new Fenders(
+      [info],
+      () => shore,
+      () => false,
+      new MeshBasicMaterial(),
+    );
+    fenders.tick([now]);
+    shore.updateMatrixWorld(true);
+    expect(faceOff(info, now)).toBeCloseTo(1.28, 12);
+    // The outermost corners of rubber and panel are the face.
+    const corners: Vector3[] = [];
+    shore.traverse((each) => {
+      if (!(each instanceof Mesh)) return;
+      const places = each.geometry.getAttribute("position");
+      for (let i = 0; i < places.count; i++)
+        corners.push(new Vector3().fromBufferAttribute(places, i).applyMatrix4(each.matrixWorld));
+    });
+    const outward = aboard([0, -1], 0);
+    const far = (at: Vector3) => {
+      const local = shore.worldToLocal(at.clone());
+      return local.x * outward[0] + local.z * outward[2];
+    };
+    const most = Math.max(...corners.map(far));
+    expect(most).toBeCloseTo(1.28, 6);
+    const face = corners.filter((at) => far(at) > most - 1e-6);
+    const middle = face
+      .reduce((sum, each) => sum.add(each), new Vector3())
+      .divideScalar(face.length);
+    const [n, e] = onEarth(quay, [-10, -1.28]);
+    near(drawn(camera, middle), byHand([...eye, seat.up_m], gaze, [n, e, 1.9]));
+  });
+
+  test("draws a buoy where the chart has it", () => {
+    const feature = { ...BUOY, colour: "green", side: "starboard" } as ChartInfo;
+    const solids = new Solids();
+    mark(feature, [2100 - ORIGIN[0], -900 - ORIGIN[1]], solids);
+    const top = topOf(solids);
+    near(drawn(camera, top), byHand([...eye, seat.up_m], gaze, [2100, -900, top.y]));
+  });
+});
+
+const BUOY: ChartInfo = {
+  kind: "buoy",
+  name: "1",
+  depth_m: null,
+  deepest_m: null,
+  clearance_m: null,
+  colour: "red",
+  side: "port",
+  meaning: "lateral",
+  form: null,
+  character: null,
+  period_s: null,
+  sector_rad: null,
+  range_m: null,
+  shape: "point",
+  lines: [[[0, 0]]],
+};
+
+test("three windows of a panorama meet at their edges", () => {
+  const group = new Group();
+  stand(group, ORIGIN, [1000, -2000, 0.3, 0, 0, 0], LEVEL);
+  const seat = seatOn(arrangementOf(VESSEL, BULKER), "bridge");
+  const edge = (turn: number, x: number) => {
+    const camera = new PerspectiveCamera(40, 16 / 9, 0.3, 70_000);
+    aim(camera, seat, group.matrixWorld, {
+      ...LOOK,
+      turn_rad: turn * DEG,
+      panorama_rad: 60 * DEG,
+    });
+    return new Vector3(x, 0, 0.5).unproject(camera).sub(camera.position).normalize();
+  };
+  expect(edge(-60, 1).distanceTo(edge(0, -1))).toBeLessThan(1e-6);
+  expect(edge(0, 1).distanceTo(edge(60, -1))).toBeLessThan(1e-6);
+  expect(vertical(90 * DEG, 1)).toBeCloseTo(90 * DEG, 12);
+});
+
+describe("a line", () => {
+  /** The lowest point of a catenary of a length, by bisection of the length alone. */
+  function lowest(span: number, rise: number, length: number): number {
+    let [short, long] = [1e-3, 1e6];
+    const of = (a: number) => {
+      const half = span / (2 * a);
+      if (half > 300) return Number.POSITIVE_INFINITY;
+      return Math.sqrt(rise ** 2 + (2 * a * Math.sinh(half)) ** 2);
+    };
+    for (let i = 0; i < 200; i++) {
+      const middle = Math.sqrt(short * long);
+      if (of(middle) > length) short = middle;
+      else long = middle;
+    }
+    const a = short;
+    // From the lower end the lowest point is where the slope is zero.
+    const m = span / 2 - a * Math.asinh(rise / (2 * a * Math.sinh(span / (2 * a))));
+    return m <= 0 || m >= span ? Math.min(0, rise) : -a * (Math.cosh(m / a) - 1);
+  }
+
+  test.each([
+    [40, 3, 44],
+    [60, 8, 63],
+    [25, -2, 40],
+    [100, 0, 100.5],
+  ])("%d m across and %d m up hangs as low as its %d m let it", (span, rise, length_m) => {
+    const points = catenary(
+      [5, 10, -3],
+      [5 + span * 0.6, 10 + rise, -3 + span * 0.8],
+      { tension_n: 0, length_m, weight_npm: 40 },
+      28,
+    );
+    const low = Math.min(...points.map(([, y]) => y)) - 10;
+    expect(Math.abs(low - lowest(span, rise, length_m))).toBeLessThan(0.05);
+    const long = points.reduce((sum, at, i) => {
+      const before = points[i - 1];
+      return before ? sum + Math.hypot(...at.map((v, k) => v - (before[k] ?? 0))) : 0;
+    }, 0);
+    expect(long).toBeGreaterThan(length_m * 0.995);
+    expect(long).toBeLessThan(length_m * 1.000001);
+  });
+
+  test("under tension sags by weight times span² over eight times the tension", () => {
+    const points = catenary(
+      [0, 5, 0],
+      [50, 5, 0],
+      { tension_n: 1e5, length_m: 49.9, weight_npm: 40 },
+      28,
+    );
+    const sag = 5 - Math.min(...points.map(([, y]) => y));
+    expect(sag).toBeCloseTo((40 * 50 ** 2) / (8 * 1e5), 3);
+  });
+
+  test("that is no longer than the way has no catenary", () => {
+    expect(parameterByLength(50, 0, 50)).toBeNull();
+    expect(parameterByLength(50, 0, 40)).toBeNull();
+    const points = catenary(
+      [0, 5, 0],
+      [50, 5, 0],
+      { tension_n: 0, length_m: 40, weight_npm: 40 },
+      28,
+    );
+    expect(points.every(([, y]) => y === 5)).toBe(true);
+  });
+
+  test("begins and ends at its fairlead and its bollard", () => {
+    const [from, to] = [
+      [1, 2, 3],
+      [30, 6, -8],
+    ] as const;
+    for (const tension_n of [0, 500, 5e4, 5e6]) {
+      const points = catenary([...from], [...to], { tension_n, length_m: 36, weight_npm: 30 }, 28);
+      for (const [found, wanted] of [
+        [points[0], from],
+        [points.at(-1), to],
+      ] as const)
+        wanted.forEach((v, k) => expect(found?.[k]).toBeCloseTo(v, 6));
+    }
+  });
+});
+
+describe("navigation lights", () => {
+  const ship = arrangementOf(VESSEL, BULKER);
+  /** Colours that an eye at a bearing from the bow sees, far off. */
+  const seen = (bearing_deg: number, lamps = underWay(ship, false)) => {
+    const eye = aboard([1e5 * Math.cos(bearing_deg * DEG), 1e5 * Math.sin(bearing_deg * DEG)], 10);
+    return lamps
+      .filter(({ at, arc }) => isSeen(arc, bearingFrom(at, eye)))
+      .map(({ colour }) => colour);
+  };
+
+  test("sidelights are seen from right ahead to 112.5° and not beyond", () => {
+    const green = underWay(ship, false).find(({ colour }) => colour === "green");
+    const red = underWay(ship, false).find(({ colour }) => colour === "red");
+    for (const [lamp, side] of [
+      [green, 1],
+      [red, -1],
+    ] as const) {
+      const sees = (degrees: number) => isSeen(lamp?.arc ?? null, side * degrees * DEG);
+      expect([0, 1, 45, 90, 112.5].every(sees)).toBe(true);
+      expect([112.6, 135, 180, -1, -90].some(sees)).toBe(false);
+    }
+    expect(green?.at[0]).toBeGreaterThan(0);
+    expect(red?.at[0]).toBeLessThan(0);
+  });
+
+  test("a ship of 180 m shows two masthead lights ahead and one light astern", () => {
+    expect(seen(20).toSorted()).toEqual(["green", "white", "white"]);
+    expect(seen(-20).toSorted()).toEqual(["red", "white", "white"]);
+    expect(seen(180)).toEqual(["white"]);
+    const masts = underWay(ship, false).filter(
+      ({ colour, arc }) => colour === "white" && arc?.[0] !== 112.5 * DEG,
+    );
+    const [fore, aft] = masts.toSorted((a, b) => a.at[2] - b.at[2]);
+    // The after light is higher: the lights tell which way she heads.
+    expect((aft?.at[1] ?? 0) - (fore?.at[1] ?? 0)).toBeGreaterThanOrEqual(4.5 - 1e-9);
+  });
+
+  test("a tug with a line shows two masthead lights and yellow over white astern", () => {
+    const tug = arrangementOf(
+      { ...VESSEL, title: "tug", length_m: 30, beam_m: 12, draught_m: 4.5, is_tug: true },
+      TUG,
+    );
+    expect(seen(20, underWay(tug, true)).toSorted()).toEqual(["green", "white", "white"]);
+    expect(seen(180, underWay(tug, true)).toSorted()).toEqual(["white", "yellow"]);
+    expect(seen(20, underWay(tug, false)).toSorted()).toEqual(["green", "white"]);
+  });
+
+  test("at anchor lights are seen all round, the forward light higher", () => {
+    const lamps = atAnchor(ship);
+    for (const bearing of [0, 90, 180, 270])
+      expect(seen(bearing, lamps)).toEqual(["white", "white"]);
+    expect(lamps[0]?.at[1] ?? 0).toBeGreaterThan(lamps[1]?.at[1] ?? 0);
+  });
+
+  test("a sector that passes north is seen on both sides of north", () => {
+    expect(isSeen([350 * DEG, 10 * DEG], 355 * DEG)).toBe(true);
+    expect(isSeen([350 * DEG, 10 * DEG], 5 * DEG)).toBe(true);
+    expect(isSeen([350 * DEG, 10 * DEG], 20 * DEG)).toBe(false);
+  });
+});
+
+describe("a hull", () => {
+  const { hull } = arrangementOf(VESSEL, BULKER);
+
+  test("has the breadth of its outline at each corner, and between them on straight sides", () => {
+    const breadth = breadthOf(BULKER);
+    for (const [forward, starboard] of BULKER)
+      expect(breadth(forward)[starboard >= 0 ? 1 : 0]).toBeCloseTo(Math.abs(starboard), 9);
+    for (const forward of [-60, -10, 0, 33, 50])
+      for (const wide of breadth(forward)) expect(wide).toBeCloseTo(15, 9);
+    for (let forward = -93; forward <= 92; forward += 0.5)
+      for (const wide of breadth(forward)) expect(wide).toBeLessThanOrEqual(15 + 1e-9);
+  });
+
+  test("keeps the outline amidships from the bilge to the deck", () => {
+    for (const up of [-7, -3, 0, 2, 5])
+      for (const side of [1, -1] as const) {
+        const [forward, wide] = hull.side(20, up, side);
+        expect(forward).toBeCloseTo(20, 9);
+        expect(wide).toBeCloseTo(15 * side, 9);
+      }
+    expect(hull.side(20, -10.5, 1)[1]).toBeLessThan(15);
+  });
+
+  test("meets the water at her waterline when she heels, trims and squats", () => {
+    const now: BodyNow = [1400, -1700, 20 * DEG, 0, 0, 0];
+    const attitude = { heel_rad: 2 * DEG, trim_rad: -0.5 * DEG, squat_m: 0.4 };
+    const group = new Group();
+    stand(group, ORIGIN, now, attitude);
+    for (const [forward, starboard] of [
+      [80, 9],
+      [0, -15],
+      [-70, 15],
+    ] as const) {
+      const at = new Vector3(...aboard([forward, starboard], 0)).applyMatrix4(group.matrixWorld);
+      // Bow down, heel to starboard and squat bring a place lower.
+      const wanted =
+        -0.4 + forward * Math.sin(-0.5 * DEG) - starboard * Math.sin(2 * DEG) * Math.cos(0.5 * DEG);
+      expect(Math.abs(at.y - wanted)).toBeLessThan(0.05);
+      const [n, e] = onEarth(now, [forward, starboard]);
+      const [x, , z] = toPicture(ORIGIN, [n, e], 0);
+      expect(Math.hypot(at.x - x, at.z - z)).toBeLessThan(0.05);
+    }
+  });
+
+  test("is closed by triangles without holes in their numbers", () => {
+    const outlines: [Pair[], typeof VESSEL][] = [
+      [BULKER, VESSEL],
+      [BULKER, { ...VESSEL, title: "Container ship, 180 m" }],
+      [BULKER, { ...VESSEL, title: "Tanker" }],
+      [BULKER, { ...VESSEL, title: "Ro-ro ferry" }],
+      [BULKER, { ...VESSEL, title: "Cruise ship" }],
+      [TUG, { ...VESSEL, title: "tug", length_m: 30, beam_m: 12, draught_m: 4.5, is_tug: true }],
+      [
+        [
+          [-1, -0.2],
+          [1, -0.2],
+          [1.2, 0],
+          [1, 0.2],
+          [-1, 0.2],
+        ],
+        { ...VESSEL, title: "model", length_m: 2, beam_m: 0.4, draught_m: 0.1 },
+      ],
+    ];
+    for (const [outline, vessel] of outlines) {
+      const made = shipParts(arrangementOf(vessel, outline), PAINTS[0] ?? TUG_PAINT);
+      for (const { positions, normals } of [made.painted, made.panes]) {
+        expect(positions.every(Number.isFinite)).toBe(true);
+        expect(normals.every(Number.isFinite)).toBe(true);
+        expect(positions.length).toBe(normals.length);
+      }
+      expect(made.painted.triangles).toBeLessThan(40_000);
+    }
+  });
+
+  test("is of the type that her title says", () => {
+    expect(kindOf({ title: "Container ship, 298 m", is_tug: false })).toBe("container");
+    expect(kindOf({ title: "KVLCC2, 320 m", is_tug: false })).toBe("tanker");
+    expect(kindOf({ title: "ASD tug, 32 m, 60 t bollard pull", is_tug: true })).toBe("tug");
+    expect(kindOf({ title: "bulker", is_tug: false })).toBe("bulk");
+  });
+});
+
+describe("the sea", () => {
+  test("has the significant height and the period of the frame", () => {
+    const all = components({ height_m: 2, period_s: 8, from_rad: 1 });
+    const variance = all.reduce((sum, { amplitude_m }) => sum + amplitude_m ** 2 / 2, 0);
+    expect(4 * Math.sqrt(variance)).toBeCloseTo(2, 9);
+    let sum = 0;
+    const n = 20_000;
+    for (let i = 0; i < n; i++) sum += surface(all, 100, 50, i * 0.37) ** 2;
+    expect(4 * Math.sqrt(sum / n)).toBeGreaterThan(1.9);
+    expect(4 * Math.sqrt(sum / n)).toBeLessThan(2.1);
+    expect(components(null)).toEqual([]);
+  });
+
+  test("runs away from where the waves come from", () => {
+    // From the north: crests move to the south, so that the phase at a place grows as from a place further north.
+    const [first] = components({ height_m: 1, period_s: 6, from_rad: 0 });
+    expect(first?.north_radpm ?? 0).toBeLessThan(0);
+  });
+});
+
+test("the sun stands where the almanac has it", () => {
+  // Greenwich at noon of the summer solstice: in the south, at 90° − 51.48° + 23.44° (from memory).
+  const { azimuth_rad, elevation_rad } = sunAt(
+    Date.UTC(2026, 5, 21, 12, 2) / 1000,
+    51.4779 * DEG,
+    0,
+  );
+  expect(elevation_rad / DEG).toBeCloseTo(61.96, 1);
+  expect(azimuth_rad / DEG).toBeCloseTo(180, 0);
+  expect(sunAt(Date.UTC(2026, 5, 21, 0) / 1000, 51.4779 * DEG, 0).elevation_rad).toBeLessThan(0);
+});
+
+test("at the visibility a twentieth of the contrast is left", () => {
+  for (const visibility of [200, 2000, 20_000])
+    expect(Math.exp(-((density(visibility) * visibility) ** 2))).toBeCloseTo(0.05, 9);
+});
+
+test("a coast is triangles that cover it, and its bank lies inside", () => {
+  const ring: Pair[] = [
+    [0, 0],
+    [0, 400],
+    [300, 400],
+    [300, 200],
+    [120, 200],
+    [120, 0],
+  ];
+  const area = cut(ring)
+    .map((three) => Math.abs(area2(three.map((k) => ring[k] ?? [0, 0]))) / 2)
+    .reduce((sum, each) => sum + each, 0);
+  expect(area).toBeCloseTo(Math.abs(area2(ring)) / 2, 6);
+  for (const at of inset(ring, 7)) expect(isInside(ring, at)).toBe(true);
+  for (const at of inset(ring.toReversed(), 7)) expect(isInside(ring, at)).toBe(true);
+  expect(width(ring)).toBeGreaterThan(25);
+});
+
+test("an address asks for a view", () => {
+  expect(lookOf("?token=a")).toBeNull();
+  expect(lookOf("?view=nowhere")).toBeNull();
+  const asked = lookOf("?token=a&view=bridge&bearing=-60&fov=60");
+  expect(asked?.eye).toBe("bridge");
+  expect(asked?.turn_rad).toBeCloseTo(-60 * DEG, 12);
+  expect(asked?.panorama_rad).toBeCloseTo(60 * DEG, 12);
+  expect(lookOf("?view=stern&fov=nonsense")).toEqual({
+    eye: "stern",
+    turn_rad: 0,
+    panorama_rad: null,
+  });
+});
