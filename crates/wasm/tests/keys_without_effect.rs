@@ -171,6 +171,7 @@ const MAY_BE_IDLE: &[(&str, &str)] = &[
     ("fender_row.*.outline", "a shape is not met everywhere"),
     ("fender_row.*.quay_line.class", "the line is found without it"),
     ("fender_row.*.quay_line.name", "the line is found without it"),
+    ("fender_row.*.quay_line.to", "the row ends before the end of the line"),
     ("fender_row.*.quay_line.water", "the side on which the body is not"),
     ("fender_row.*.stop", "the fender is not compressed that far"),
     ("limit.*.vessel", "the first vessel is meant without it"),
