@@ -9,6 +9,7 @@ pub mod approach;
 pub mod azimuth;
 pub mod berthing;
 pub mod body;
+pub mod bollard_row;
 pub mod bottom;
 pub mod chart;
 pub mod coefficients;
@@ -215,9 +216,9 @@ table_keys! {
             "Bollards on which orders put mooring lines, by name.",
             &[],
         ),
-        BOLLARD_ROW: NamedOf<quay_line::BollardRowKey> = key(
+        BOLLARD_ROW: NamedOf<bollard_row::BollardRowKey> = key(
             "bollard_row",
-            Kind::Named(&quay_line::BOLLARD_ROW),
+            Kind::Named(&bollard_row::BOLLARD_ROW),
             Is("{}"),
             "Rows of equal bollards, by name.",
             &[],

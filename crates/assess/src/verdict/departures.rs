@@ -16,7 +16,7 @@ use fenderline_world::record::StepRecord;
 use fenderline_world::rigid_body::initial_state;
 use fenderline_world::setup::Setup;
 use fenderline_world::world::Environment;
-use fenderline_world::world::Vessels;
+use fenderline_world::world::passing::Vessels;
 use fenderline_world::world::passing::{FULL_FLOW_GAP, gap_in_beams, shallowest_on_track_m};
 
 /// The share of the sea's energy that may be at frequencies outside a vessel's data without a finding; we chose it. A

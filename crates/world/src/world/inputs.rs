@@ -7,7 +7,6 @@ use fenderline_ship::step_time::StepTime;
 
 use super::environment::Environment;
 use super::soundings::Soundings;
-use super::vessel::VesselSetup;
 
 /// The times of a step of the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,15 +36,6 @@ pub struct MovingBodies<'a> {
     pub states: &'a [BodyState],
     /// For each body, the time from the time of its velocity to the start of the step (s).
     pub lags_s: &'a [f64],
-}
-
-/// All vessels of a set-up, with the states of all bodies.
-#[derive(Clone, Copy, Debug)]
-pub struct Vessels<'a> {
-    /// The set-ups of the vessels.
-    pub setups: &'a [VesselSetup],
-    /// The states of all bodies, of which each vessel has one.
-    pub states: &'a [BodyState],
 }
 
 /// A vessel's body, and the motion of the vessel through the water.

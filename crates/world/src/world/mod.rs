@@ -48,7 +48,7 @@ pub use current_table::CurrentTable;
 pub use environment::{Bottom, Environment, NoDepth, Outside};
 pub use event::{WorldEvent, WorldEventKind};
 pub use fault::{Fault, Faults, Tripped};
-pub use inputs::{Moving, MovingBodies, StepTimes, Surroundings, Vessels};
+pub use inputs::{Moving, MovingBodies, StepTimes, Surroundings};
 pub use line::{LineWorld, Mooring, MooringLines, MooringSetup, Sent};
 pub use line_end::LineEnd;
 pub use line_work::Sending;

@@ -13,7 +13,7 @@ use super::azimuth_pilot::{self, Steered, Stream};
 use super::environment::NoDepth;
 use super::event::{WorldEvent, WorldEventKind};
 use super::grounding;
-use super::inputs::{Moving, MovingBodies, StepTimes, Surroundings, Vessels};
+use super::inputs::{Moving, MovingBodies, StepTimes, Surroundings};
 use super::line::{LineWorld, Mooring, MooringLines};
 use super::line_work::{self, Sending};
 use super::passing;
@@ -228,7 +228,7 @@ impl World {
 
     /// Computes the forces of passing ships, of other vessels and of banks by images on each vessel.
     fn load_flow(&mut self, setup: &WorldSetup, states: &[BodyState], t_s: f64) {
-        let vessels = Vessels { setups: &setup.vessels, states };
+        let vessels = passing::Vessels { setups: &setup.vessels, states };
         let (environment, soundings) = (&setup.environment, self.soundings.as_slice());
         passing::act(&setup.flow, vessels, environment, soundings, t_s, &mut self.passing);
         passing::act_of_banks(&setup.flow, vessels, environment, soundings, t_s, &mut self.banks);

@@ -7,8 +7,8 @@ use crate::assemble::assembly::{Assembly, Checked};
 use crate::assemble::edge::{Edge, edges_with};
 use fenderline_keys::checked::{Entry, Of};
 use fenderline_keys::held::{Number, Points, Vector};
+use fenderline_keys::keys::bollard_row::RowKey;
 use fenderline_keys::keys::fender_row::MOST_IN_ROW;
-use fenderline_keys::keys::quay_line::RowKey;
 
 /// The places of the fenders of a row on a straight line.
 pub(super) struct Line {

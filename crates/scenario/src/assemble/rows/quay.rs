@@ -12,9 +12,10 @@ use fenderline_charts::quay::{QuayLine, Refusal, Request, face_m, has_water, is_
 use fenderline_keys::checked::{Entry, Of};
 use fenderline_keys::error::ScenarioError;
 use fenderline_keys::held::TableOf;
+use fenderline_keys::keys::bollard_row::RowKey;
 use fenderline_keys::keys::chart::ChartKey;
 use fenderline_keys::keys::fender_row::MOST_IN_ROW;
-use fenderline_keys::keys::quay_line::{NEAR_LINE_M, QuayLineKey, RowKey, WaterSide};
+use fenderline_keys::keys::quay_line::{NEAR_LINE_M, QuayLineKey, WaterSide};
 use fenderline_keys::sources::quoted;
 use fenderline_keys::suggest::nearest;
 

@@ -7,7 +7,7 @@ use fenderline_ship::distance::of_segments_m;
 use fenderline_ship::hydro::Force;
 use fenderline_ship::passing::{FlowHull, FlowSetup, PassingSetup, PassingShip, force_under_way};
 
-use crate::world::{Environment, Soundings, VesselSetup, Vessels};
+use crate::world::{Environment, Soundings, VesselSetup};
 
 /// Distance between the midships of two ships, divided by the mean of their lengths, at which a force begins to fade,
 /// and at which the force is zero. At these distances the force is less than a thousandth of its peak abreast, so a
@@ -20,6 +20,15 @@ const FADES: [f64; 2] = [8.0, 10.0];
 const TOO_NEAR: [f64; 2] = [0.25, FULL_FLOW_GAP];
 /// The gap from which on the model uses the full flow (divided by the mean of the two beams).
 pub const FULL_FLOW_GAP: f64 = 0.5;
+
+/// All vessels of a set-up, with the states of all bodies.
+#[derive(Clone, Copy, Debug)]
+pub struct Vessels<'a> {
+    /// The set-ups of the vessels.
+    pub setups: &'a [VesselSetup],
+    /// The states of all bodies, of which each vessel has one.
+    pub states: &'a [BodyState],
+}
 
 /// A ship in the flow, with the hull, the position of midship and the velocity through the water (m/s).
 pub(super) struct Afloat<'s> {

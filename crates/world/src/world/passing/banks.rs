@@ -7,8 +7,8 @@ use fenderline_ship::environment::{Bank, BankMethod, BankWater};
 use fenderline_ship::hydro::Force;
 use fenderline_ship::passing::{FlowSetup, PassingShip, force_of_wall};
 
-use super::act::{Afloat, smooth};
-use crate::world::{Environment, Soundings, Vessels, Walls};
+use super::act::{Afloat, Vessels, smooth};
+use crate::world::{Environment, Soundings, Walls};
 
 /// Sines of the angles between ship and wall (15 and 30 degrees) at which the force begins to fade, and at which the
 /// force is zero; our choice.

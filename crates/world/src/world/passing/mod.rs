@@ -4,5 +4,5 @@
 mod act;
 mod banks;
 
-pub use act::{FULL_FLOW_GAP, act, gap_in_beams, shallowest_on_track_m};
+pub use act::{FULL_FLOW_GAP, Vessels, act, gap_in_beams, shallowest_on_track_m};
 pub use banks::act_of_banks;
