@@ -21,7 +21,7 @@ use check::{Judged, judge};
 use reference::References;
 use sweep::Sweep;
 
-const REFERENCES: &str = include_str!("../../../../validation/sweeps.toml");
+const REFERENCES: &str = include_str!(concat!(env!("FENDERLINE_DATA"), "/validation/sweeps.toml"));
 
 /// All sweeps, sampled and judged.
 pub struct Sweeps {
