@@ -8,6 +8,9 @@ export const times = (a: Pair, by: number): Pair => [a[0] * by, a[1] * by];
 export const dot = (a: Pair, b: Pair): number => a[0] * b[0] + a[1] * b[1];
 export const length = (a: Pair): number => Math.hypot(a[0], a[1]);
 
+export const clamp = (value: number, least: number, most: number): number =>
+  Math.min(most, Math.max(least, value));
+
 /** Turns by an angle, positive to starboard: from body axes to earth axes. */
 export function turned(by_rad: number, [x, y]: Pair): Pair {
   const [c, s] = [Math.cos(by_rad), Math.sin(by_rad)];
@@ -22,7 +25,7 @@ export const onEarth = (body: BodyNow, at: Pair): Pair =>
 export function nearestOn(a: Pair, b: Pair, at: Pair): Pair {
   const along = minus(b, a);
   const share = dot(minus(at, a), along) / (dot(along, along) || 1);
-  return add(a, times(along, Math.min(1, Math.max(0, share))));
+  return add(a, times(along, clamp(share, 0, 1)));
 }
 
 /** A body between two ticks; its heading turns the short way. */

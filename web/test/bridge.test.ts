@@ -11,15 +11,24 @@ import { Fenders, faceOff } from "../src/bridge/fenders";
 import { breadthOf } from "../src/bridge/hull";
 import { atAnchor, bearingFrom, isSeen, underWay } from "../src/bridge/lamps";
 import { cut, isInside, width } from "../src/bridge/land";
-import { density, sunAt } from "../src/bridge/light";
+import { density } from "../src/bridge/light";
 import { type Look, lookOf } from "../src/bridge/look";
 import { mark } from "../src/bridge/marks";
 import { PAINTS, shipParts } from "../src/bridge/ship";
 import { Solids } from "../src/bridge/solids";
 import { TUG_PAINT } from "../src/bridge/tug";
 import { components, surface } from "../src/bridge/waves";
-import { onEarth } from "../src/geometry";
-import type { BodyNow, ChartInfo, FenderInfo, FenderNow, Pair } from "../src/protocol";
+import { add, onEarth, turned } from "../src/geometry";
+import type {
+  BodyNow,
+  ChartInfo,
+  FenderInfo,
+  FenderNow,
+  Pair,
+  TugInfo,
+  TugNow,
+} from "../src/protocol";
+import { type TugPlace, tugPlace } from "../src/vector_tug";
 
 const DEG = Math.PI / 180;
 const [WIDE, HIGH] = [1280, 720];
@@ -477,18 +486,6 @@ describe("the sea", () => {
   });
 });
 
-test("the sun stands where the almanac has it", () => {
-  // Greenwich at noon of the summer solstice: in the south, at 90° − 51.48° + 23.44° (from memory).
-  const { azimuth_rad, elevation_rad } = sunAt(
-    Date.UTC(2026, 5, 21, 12, 2) / 1000,
-    51.4779 * DEG,
-    0,
-  );
-  expect(elevation_rad / DEG).toBeCloseTo(61.96, 1);
-  expect(azimuth_rad / DEG).toBeCloseTo(180, 0);
-  expect(sunAt(Date.UTC(2026, 5, 21, 0) / 1000, 51.4779 * DEG, 0).elevation_rad).toBeLessThan(0);
-});
-
 test("at the visibility a twentieth of the contrast is left", () => {
   for (const visibility of [200, 2000, 20_000])
     expect(Math.exp(-((density(visibility) * visibility) ** 2))).toBeCloseTo(0.05, 9);
@@ -524,4 +521,24 @@ test("an address asks for a view", () => {
     turn_rad: 0,
     panorama_rad: null,
   });
+});
+
+test("a tug pushes with her bow at the ship's side, and pulls over her bow on a line of 45 m", () => {
+  const ship: BodyNow = [100, 200, 0.5 * Math.PI, 0, 0, 0];
+  const info = {
+    length_m: 30,
+    beam_m: 10,
+    push_at_m: [40, 15],
+    pull_at_m: [40, 12],
+  } as unknown as TugInfo;
+  const now = (order: "push" | "pull", direction_rad: number) =>
+    ({ order, force_n: 3e5, direction_rad }) as unknown as TugNow;
+  const bow = ({ place, heading_rad }: TugPlace): Pair => add(place, turned(heading_rad, [15, 0]));
+  // She heads east: starboard is south. A push from starboard acts to the north.
+  const push = bow(tugPlace(info, now("push", -0.5 * Math.PI), ship));
+  expect(push[0]).toBeCloseTo(100 - 15.5, 9);
+  expect(push[1]).toBeCloseTo(240, 9);
+  const pull = bow(tugPlace(info, now("pull", 0.5 * Math.PI), ship));
+  expect(pull[0]).toBeCloseTo(100 - 12 - 45, 9);
+  expect(pull[1]).toBeCloseTo(240, 9);
 });

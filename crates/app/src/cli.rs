@@ -115,17 +115,23 @@ pub(crate) enum Start {
     Harbour,
 }
 
+impl Start {
+    /// Name and description of the scenario at a berth of the user's chart.
+    pub(crate) const HARBOUR: [&str; 2] =
+        ["harbour", "a berth of your chart, with --chart and --berth"];
+}
+
 impl ValueEnum for Start {
     fn value_variants<'a>() -> &'a [Start] {
-        const ALL: [Start; 7] = [
-            Start::Example(Example::ALL[0]),
-            Start::Example(Example::ALL[1]),
-            Start::Example(Example::ALL[2]),
-            Start::Example(Example::ALL[3]),
-            Start::Example(Example::ALL[4]),
-            Start::Example(Example::ALL[5]),
-            Start::Harbour,
-        ];
+        const ALL: [Start; Example::ALL.len() + 1] = {
+            let mut all = [Start::Harbour; Example::ALL.len() + 1];
+            let mut index = 0;
+            while index < Example::ALL.len() {
+                all[index] = Start::Example(Example::ALL[index]);
+                index += 1;
+            }
+            all
+        };
         &ALL
     }
 
@@ -135,10 +141,7 @@ impl ValueEnum for Start {
                 let [name, what, _] = example.parts();
                 Some(PossibleValue::new(name).help(what))
             }
-            Start::Harbour => Some(
-                PossibleValue::new("harbour")
-                    .help("a berth of your chart, with --chart and --berth"),
-            ),
+            Start::Harbour => Some(PossibleValue::new(Start::HARBOUR[0]).help(Start::HARBOUR[1])),
         }
     }
 }

@@ -1,13 +1,11 @@
 //! `fenderline init`: example scenarios to begin with.
 
 use core::fmt::Write as _;
-
-use serde_json::json;
-
 use std::path::{Path, PathBuf};
 
 use fenderline_author::NewHarbour;
 use fenderline_scenario::read_text;
+use serde_json::json;
 
 use crate::cli::{Example, InitArgs, Start};
 use crate::failure::Failure;
@@ -134,6 +132,7 @@ fn list(as_json: bool) -> Result<(), Failure> {
     for [name, what, _] in all {
         let _ = writeln!(text, "{name:<14}{what}");
     }
-    text.push_str("harbour       a berth of your chart: needs --chart and --berth\n");
+    let [name, what] = Start::HARBOUR;
+    let _ = writeln!(text, "{name:<14}{what}");
     answer(&text)
 }

@@ -11,9 +11,7 @@ use fenderline_sim::chart::{ChartClass, GeographicPlace};
 use toml_edit::{DocumentMut, Item, Value};
 
 use crate::new_exercise::text::{self, Hull, quoted};
-use crate::new_exercise::{
-    BerthingSide, NewBerth, NewExercise, NewShip, NewTugs, NewWeather, can_be_ship,
-};
+use crate::new_exercise::{BerthingSide, NewShip, can_be_ship};
 
 /// Distances off the berth at which the ship begins (m): the first at which she floats clear of the shore.
 const OFF_M: [f64; 8] = [120.0, 80.0, 50.0, 30.0, 15.0, 250.0, 500.0, 1000.0];
@@ -119,10 +117,16 @@ impl NewHarbour {
         let mut why = String::new();
         for ship in self.ships(length_m)? {
             for off_m in OFF_M {
-                let choices = choices(ship, off_m);
-                let hull = Hull::at(&choices, ship, middle_m, to_sea);
+                let start = NewShip {
+                    vessel: ship.name.clone(),
+                    side: BerthingSide::Port,
+                    off_m,
+                    astern_m: 0.0,
+                    speed_mps: 0.0,
+                };
+                let hull = Hull::at(&start, ship, middle_m, to_sea);
                 let mut text = base.clone();
-                text::ship_body(&mut text, &choices, &hull, ship);
+                text::ship_body(&mut text, &start, &hull, ship);
                 text::lines(&mut text, &hull);
                 match Scenario::parse_among(&text, NAME, &[], read) {
                     Err(error) => why = error.message().to_owned(),
@@ -325,39 +329,4 @@ fn berth(quay_line: &str) -> String {
          spacing = \"15 m\"\nheight = \"3 m\"\n"
     );
     text
-}
-
-/// The ship's place, in the form in which exercises have it.
-fn choices(ship: &VesselData, off_m: f64) -> NewExercise {
-    NewExercise {
-        title: String::new(),
-        berth: NewBerth {
-            length_m: 0.0,
-            depth_m: 0.0,
-            fender: String::new(),
-            size: None,
-            height_m: None,
-            rated_reaction_n: None,
-            fenders: 0,
-            fender_spacing_m: 0.0,
-            bollard_spacing_m: 0.0,
-        },
-        berth_of: None,
-        ship: NewShip {
-            vessel: ship.name.clone(),
-            side: BerthingSide::Port,
-            off_m,
-            astern_m: 0.0,
-            speed_mps: 0.0,
-        },
-        tugs: NewTugs { vessel: String::new(), number: 0 },
-        weather: NewWeather {
-            wind_mps: 0.0,
-            wind_from_rad: 0.0,
-            gusts: false,
-            current_mps: 0.0,
-            current_to_rad: 0.0,
-            visibility_m: None,
-        },
-    }
 }

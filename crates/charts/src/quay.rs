@@ -3,9 +3,9 @@
 
 use fenderline_contact::Vec2;
 use fenderline_sim::chart::{Chart, ChartFeature, ChartKind, ChartShape};
+use fenderline_sim::distance::contains;
 
 use crate::chart::solid_words;
-use crate::shore::contains;
 
 /// Distances of two features that differ by less count as equal (m).
 const SAME_M: f64 = 0.1;
@@ -264,7 +264,8 @@ fn tidy(line: &[Vec2]) -> Vec<Vec2> {
 /// Where a straight line from the water towards the land meets the border of a body: the distance towards the water (m)
 /// of the crossing nearest to the place `at_m`, within `reach_m`, at which the body begins. `None`: there is none.
 pub fn face_m<'p>(
-    (at_m, to_water): (Vec2, Vec2),
+    at_m: Vec2,
+    to_water: Vec2,
     reach_m: f64,
     edges: impl Iterator<Item = [Vec2; 2]>,
     polygons: impl Iterator<Item = &'p [Vec2]> + Clone,

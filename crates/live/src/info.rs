@@ -25,9 +25,6 @@ use crate::plan;
 /// The working load of a cable as a share of its breaking load. The guideline for ropes gives no working load of
 /// cables, so that the share is our choice.
 const CABLE_WORKING_SHARE: f64 = 0.5;
-/// An under-keel clearance below this share of the draught raises a caution. The least under-keel clearance without a
-/// caution is our choice.
-const UNDER_KEEL_SHARE: f64 = 0.1;
 /// Rate at which a winch runs in a manual order, if it can run so fast (m/s): a usual speed for warping under load.
 const MANUAL_WINCH_MPS: f64 = 0.15;
 
@@ -144,7 +141,7 @@ fn vessel_info(setup: &Setup, cast: &Cast, index: usize) -> VesselInfo {
         length_m: hull.length_m,
         beam_m: hull.beam_m,
         draught_m: hull.draught_m,
-        under_keel_limit_m: UNDER_KEEL_SHARE * hull.draught_m,
+        under_keel_limit_m: vessel.under_keel_caution_m(),
         rudder_stop_rad: propelled.then_some(vessel.rudder.stop),
         full_rps: propelled.then_some(vessel.shaft.stop),
         thrusters: thrusters.collect(),

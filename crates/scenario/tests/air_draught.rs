@@ -66,8 +66,7 @@ fn run(scenario: Scenario) -> Passed {
         let level_m = setup.world.environment.level_m(simulation.time_s());
         let squat_m = simulation.vessels()[0].squat_m;
         let state = &simulation.states()[0];
-        let outline = &setup.bodies[0].outline;
-        if let Some(now) = setup.world.overhead.over(0, outline, state, [level_m, squat_m]) {
+        if let Some(now) = setup.world.overhead.over(0, state, level_m, squat_m) {
             let height_m = [30.0, 5.0, 36.0][now.structure];
             under.push((now, height_m + 3.2 - level_m - 28.0 + squat_m));
         }

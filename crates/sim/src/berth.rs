@@ -141,12 +141,7 @@ impl Berth {
     /// a mark of the berth; negative if the ship has to go astern. The mark is in the frame of the body that carries the
     /// berth (m), and `on` is the state of this body.
     #[must_use]
-    pub fn to_go_m(
-        &self,
-        on: &BodyState,
-        state: &BodyState,
-        (mark_m, of_ship_m): (Vec2, f64),
-    ) -> f64 {
+    pub fn to_go_m(&self, on: &BodyState, state: &BodyState, mark_m: Vec2, of_ship_m: f64) -> f64 {
         let quay = Rotation::from_angle(on.heading_rad);
         let ahead = Rotation::from_angle(state.heading_rad).apply(vec2(1.0, 0.0));
         let along = quay.apply(self.facing.quarter_turn());

@@ -13,17 +13,27 @@ use crate::chart::ChartShape;
 
 /// A vessel slower than this is not moved ahead (m/s); our choice.
 const SLOW_MPS: f64 = 0.1;
-/// A vessel that is moved ahead goes this share of her length in a step; our choice.
-const STRIDE: f64 = 0.25;
+/// A vessel that is moved ahead goes this share of her breadth in a step, so that she skips no cable when she drifts
+/// sideways; our choice.
+const STRIDE: f64 = 0.5;
 
 /// The bridges and cables of a scenario, and the air draughts of its vessels.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct OverheadSetup {
     /// Bridges and cables with a known height. Empty if no vessel has an air draught.
     pub structures: Vec<Structure>,
-    /// For each vessel, the height of her highest point above the waterline at rest (m); `None` if it is not known. Empty
-    /// if there are no structures.
-    pub air_draughts_m: Vec<Option<f64>>,
+    /// For each vessel, her air draught and outline; `None` if her air draught is not known. Empty if there are no
+    /// structures.
+    pub vessels: Vec<Option<TallVessel>>,
+}
+
+/// A vessel with a known air draught.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TallVessel {
+    /// Height of the vessel's highest point above her waterline at rest (m).
+    pub air_draught_m: f64,
+    /// Outline of the vessel.
+    pub outline: Outline,
 }
 
 /// A bridge or cable.
@@ -88,42 +98,40 @@ impl Structure {
 }
 
 impl OverheadSetup {
-    /// The structure with the least clearance under which a vessel is; `None` if she is under none, or if her air draught
-    /// is not known. `outline` is her outline, `level_m` the level of the water above datum (m).
+    /// The structure with the least clearance under which a vessel is, with the level of the water above datum and her
+    /// squat (m); `None` if she is under no structure, or if her air draught is not known.
     #[must_use]
     pub fn over(
         &self,
         vessel: usize,
-        outline: &Outline,
         state: &BodyState,
-        [level_m, squat_m]: [f64; 2],
+        level_m: f64,
+        squat_m: f64,
     ) -> Option<AirClearance> {
-        let air_draught_m = self.air_draught_m(vessel)?;
+        let TallVessel { air_draught_m, outline } = self.vessels.get(vessel)?.as_ref()?;
         self.least(outline, state.pose(), level_m + air_draught_m - squat_m)
     }
 
-    /// The air draught of a vessel (m); `None` if it is not known, or if the scenario has no bridge or cable.
-    #[must_use]
-    pub fn air_draught_m(&self, vessel: usize) -> Option<f64> {
-        self.air_draughts_m.get(vessel).copied().flatten()
-    }
-
-    /// The structure with the least clearance that a vessel comes under within `within_s` if she keeps her velocity and
-    /// heading, and the time until then (s).
+    /// The structure with the least clearance that a vessel comes under within `within_s` (s) if she keeps her velocity,
+    /// heading and squat, and the time until then (s).
     #[must_use]
     pub fn ahead(
         &self,
         vessel: usize,
-        outline: &Outline,
         state: &BodyState,
-        ([level_m, squat_m], within_s): ([f64; 2], f64),
+        level_m: f64,
+        squat_m: f64,
+        within_s: f64,
     ) -> Option<(f64, AirClearance)> {
-        let top_m = level_m + self.air_draught_m(vessel)? - squat_m;
+        let TallVessel { air_draught_m, outline } = self.vessels.get(vessel)?.as_ref()?;
+        let top_m = level_m + air_draught_m - squat_m;
         let speed_mps = state.velocity_mps.length();
         if speed_mps < SLOW_MPS {
             return None;
         }
-        let stride_s = greater(STRIDE * 2.0 * outline.radius_m() / speed_mps, 1.0);
+        let (low_m, high_m) = outline.bounds();
+        let breadth_m = lesser(high_m.x - low_m.x, high_m.y - low_m.y);
+        let stride_s = STRIDE * breadth_m / speed_mps;
         let steps = libm::ceil(within_s / stride_s);
         let mut found: Option<(f64, AirClearance)> = None;
         for step in 1..=steps as usize {
@@ -159,5 +167,35 @@ impl OverheadSetup {
             }
         }
         least
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A cable along her heading, onto which she drifts sideways, and a cable across her heading.
+    #[test]
+    fn a_vessel_that_drifts_in_any_direction_finds_the_cable_ahead_of_her() {
+        let corners = [(-50.0, -8.0), (50.0, -8.0), (50.0, 8.0), (-50.0, 8.0)];
+        let (outline, _) = Outline::new(&corners.map(|(x, y)| vec2(x, y))).unwrap();
+        for (line, off_m) in [
+            (vec![vec2(-200.0, 100.0), vec2(200.0, 100.0)], [0.0, 92.0]),
+            (vec![vec2(142.0, -200.0), vec2(142.0, 200.0)], [92.0, 0.0]),
+        ] {
+            let cable = Structure::new("cable".to_owned(), ChartShape::Line(line), 20.0).unwrap();
+            let tall = TallVessel { air_draught_m: 21.0, outline: outline.clone() };
+            let overhead = OverheadSetup { structures: vec![cable], vessels: vec![Some(tall)] };
+            for speed_mps in [0.2, 0.7, 1.9, 5.0, 12.0] {
+                let way = vec2(off_m[0], off_m[1]) * (speed_mps / 92.0);
+                let state = BodyState { velocity_mps: way, ..BodyState::default() };
+                let (after_s, found) = overhead.ahead(0, &state, 0.0, 0.0, 600.0).unwrap();
+                assert_eq!(found.clearance_m, -1.0);
+                // At most a stride after her side or stem has come under the cable.
+                let first_s = 92.0 / speed_mps;
+                let stride_s = STRIDE * 16.0 / speed_mps;
+                assert!(after_s >= first_s - 1e-9 && after_s <= first_s + stride_s, "{speed_mps}");
+            }
+        }
     }
 }

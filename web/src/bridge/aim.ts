@@ -3,6 +3,7 @@ import { Euler, Matrix4, type Object3D, type PerspectiveCamera, Vector3 } from "
 import { aboard, toPicture } from "./axes";
 import { type Seat, vertical } from "./eyes";
 import { type Look, VIEW_LIMITS } from "./look";
+import { clamp } from "../geometry";
 import type { BodyNow, Pair } from "../protocol";
 
 /** How a ship lies in the water: heel to starboard, trim with the bow up [rad], squat [m]. */
@@ -46,6 +47,3 @@ export function viewOf(seat: Seat, look: Look, aspect: number): number {
   if (look.view_rad !== null) return look.view_rad;
   return aspect < 1 ? clamp(vertical(seat.view_rad, aspect), ...VIEW_LIMITS) : seat.view_rad;
 }
-
-export const clamp = (value: number, least: number, most: number): number =>
-  Math.min(most, Math.max(least, value));

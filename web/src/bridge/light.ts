@@ -1,6 +1,5 @@
 /**
- * Light of the sun, the sky and the moon: by place and time, or by the page's palette where the run has no date. Directions are
- * in the axes of the picture, towards the light.
+ * Light of the sun, the sky and the moon, by the page's palette. Directions are in the axes of the picture, towards the light.
  */
 import { type Triple, smooth, unit } from "./axes";
 import type { PaletteName } from "../palette";
@@ -11,31 +10,6 @@ const DEG = Math.PI / 180;
 export interface Sun {
   azimuth_rad: number;
   elevation_rad: number;
-}
-
-/**
- * The sun at a time, seen from a place: low-precision formulas of the Astronomical Almanac (from memory), good to about 0.01°
- * between 1950 and 2050, without refraction. `unix_s`: seconds since the start of 1970, universal time.
- */
-export function sunAt(unix_s: number, latitude_rad: number, longitude_rad: number): Sun {
-  const days = unix_s / 86_400 + 2_440_587.5 - 2_451_545;
-  const mean = (280.46 + 0.9856474 * days) * DEG;
-  const anomaly = (357.528 + 0.9856003 * days) * DEG;
-  const ecliptic = mean + (1.915 * Math.sin(anomaly) + 0.02 * Math.sin(2 * anomaly)) * DEG;
-  const tilt = (23.439 - 0.0000004 * days) * DEG;
-  const ascension = Math.atan2(Math.cos(tilt) * Math.sin(ecliptic), Math.cos(ecliptic));
-  const declination = Math.asin(Math.sin(tilt) * Math.sin(ecliptic));
-  const sidereal = (280.46061837 + 360.98564736629 * days) * DEG;
-  const hour = sidereal + longitude_rad - ascension;
-  const [sin, cos] = [Math.sin(latitude_rad), Math.cos(latitude_rad)];
-  const elevation = Math.asin(
-    sin * Math.sin(declination) + cos * Math.cos(declination) * Math.cos(hour),
-  );
-  const azimuth = Math.atan2(
-    -Math.cos(declination) * Math.sin(hour),
-    cos * Math.sin(declination) - sin * Math.cos(declination) * Math.cos(hour),
-  );
-  return { azimuth_rad: (azimuth + 2 * Math.PI) % (2 * Math.PI), elevation_rad: elevation };
 }
 
 /** The sun that a palette stands for: an afternoon, a quarter of an hour after sunset, and deep night. */
@@ -77,7 +51,7 @@ export interface Light {
   stars: number;
 }
 
-type Colours = Omit<Light, "sun" | "from">;
+type Colours = Omit<Light, "sun" | "from" | "lamps">;
 
 const NOON: Colours = {
   direct: [3.1, 2.85, 2.5],
@@ -88,7 +62,6 @@ const NOON: Colours = {
   glow: [0.55, 0.5, 0.4],
   water: [0.014, 0.045, 0.048],
   exposure: 0.92,
-  lamps: 0,
   stars: 0,
 };
 const SUNSET: Colours = {
@@ -100,7 +73,6 @@ const SUNSET: Colours = {
   glow: [1.15, 0.42, 0.12],
   water: [0.008, 0.022, 0.03],
   exposure: 1.35,
-  lamps: 1,
   stars: 0,
 };
 const NIGHT: Colours = {
@@ -112,7 +84,6 @@ const NIGHT: Colours = {
   glow: [0.012, 0.011, 0.014],
   water: [0.0022, 0.0042, 0.0056],
   exposure: 2.3,
-  lamps: 1,
   stars: 1,
 };
 
@@ -132,7 +103,6 @@ const blend = (a: Colours, b: Colours, share: number): Colours => {
     glow: three(a.glow, b.glow),
     water: three(a.water, b.water),
     exposure: mix(a.exposure, b.exposure),
-    lamps: mix(a.lamps, b.lamps),
     stars: mix(a.stars, b.stars),
   };
 };

@@ -5,6 +5,7 @@
 import { EYES, EYE_NAMES, type Eye, type Look, VIEW_LIMITS, lookOf } from "./look";
 import type { Picture } from "./picture";
 import { fileNameOf } from "../file_name";
+import { clamp } from "../geometry";
 import type { Live } from "../live";
 import type { PaletteName } from "../palette";
 import type { Hello, Pair } from "../protocol";
@@ -417,9 +418,6 @@ export class Pane {
 
 const median = (all: number[]): number =>
   all.toSorted((a, b) => a - b)[Math.floor(all.length / 2)] ?? 0;
-
-const clamp = (value: number, least: number, most: number): number =>
-  Math.min(most, Math.max(least, value));
 
 /** Whether two greetings have the same things in the picture. */
 function isSame(a: Hello, b: Hello): boolean {

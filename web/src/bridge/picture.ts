@@ -18,7 +18,7 @@ import {
   WebGLRenderer,
 } from "three";
 import { type Arrangement, type Vessel, arrangementOf } from "./arrangement";
-import { type Attitude, LEVEL, aim, clamp, stand } from "./aim";
+import { type Attitude, LEVEL, aim, stand } from "./aim";
 import { type Triple, aboard, toPicture } from "./axes";
 import { QUAY_M, STEM_M, bollard, fixedParts } from "./berth";
 import { catenary, weightOf } from "./catenary";
@@ -28,7 +28,7 @@ import type { Paint } from "./fittings";
 import { Glows } from "./glows";
 import { type Lamp, type LampColour, atAnchor, bearingFrom, isSeen, underWay } from "./lamps";
 import { MOST_TREES, cut, land } from "./land";
-import { type Sun, PALETTE_SUNS, density, lightOf } from "./light";
+import { type Light, PALETTE_SUNS, density, lightOf } from "./light";
 import type { Look } from "./look";
 import { lampHeight, mark } from "./marks";
 import { type Shared, paintwork } from "./paintwork";
@@ -40,10 +40,11 @@ import { Solids, linearOf } from "./solids";
 import { TUG_PAINT } from "./tug";
 import { components, surface } from "./waves";
 import { isLit } from "../character";
-import { onEarth, turned } from "../geometry";
+import { clamp, onEarth, turned } from "../geometry";
 import { type Live, isOfTug } from "../live";
 import type { PaletteName } from "../palette";
 import type { BodyNow, Frame, Hello, LineInfo, LineNow, Pair } from "../protocol";
+import { tugOutline, tugPlace } from "../vector_tug";
 
 /** Picture of a vessel, or of a ship that passes. */
 interface Ship {
@@ -61,9 +62,6 @@ interface Ship {
 const SLACK_N = 50;
 /** Half the side of the square that casts shadows [m]. */
 const SHADOW_M = 170;
-/** Vector tugs lie this far from the side while they do nothing, and pull on a line this long, as on the plan [m]. */
-const IDLE_OFF_M = 14;
-const TOW_M = 45;
 
 export interface Options {
   /** A software renderer smooths no edges, casts no shadows and has fewer trees: it would draw too seldom. */
@@ -87,8 +85,7 @@ export class Picture {
   private bodies: (Group | null)[] = [];
   private hello: Hello | null = null;
   private origin: Pair = [0, 0];
-  private sun: Sun = PALETTE_SUNS.day;
-  private isDark = false;
+  private light: Light = lightOf(PALETTE_SUNS.day);
   private visibility_m: number | null | undefined;
   /** Triangles of the last drawing. */
   triangles = 0;
@@ -213,9 +210,9 @@ export class Picture {
       this.built.add(built.group);
       this.ships.push({ ...built, body: -1, index: i });
     });
-    this.tugs = hello.tugs.map(({ name, length_m, beam_m }) => {
-      const half = length_m / 2;
-      const outline = TUG_OUTLINE.map(([x, y]): Pair => [x * half, (y * beam_m) / 2]);
+    this.tugs = hello.tugs.map((info) => {
+      const { name, length_m, beam_m } = info;
+      const outline = tugOutline(info);
       const vessel = { title: name, length_m, beam_m, draught_m: 0.13 * length_m, is_tug: true };
       const built = this.ship(vessel, outline, 0, [steel, panes]);
       this.built.add(built.group);
@@ -299,16 +296,16 @@ export class Picture {
 
   // ----------------------------------------------------------------------------------------------------- light
 
-  /** The palette of the page stands for the time of day where the run has no date. */
+  /** The palette of the page stands for the time of day. */
   palette(name: PaletteName): void {
-    this.sun = PALETTE_SUNS[name];
+    this.light = lightOf(PALETTE_SUNS[name]);
     this.visibility_m = undefined;
   }
 
   private lighten(visibility_m: number | null): void {
     if (this.visibility_m === visibility_m) return;
     this.visibility_m = visibility_m;
-    const light = lightOf(this.sun);
+    const { light } = this;
     const haze = density(visibility_m);
     // In fog the sun is a bright place at most.
     const dim = visibility_m === null ? 1 : Math.min(1, visibility_m / 6000);
@@ -333,7 +330,6 @@ export class Picture {
     );
     this.renderer.toneMappingExposure = light.exposure;
     this.shared.uLamps.value = light.lamps;
-    this.isDark = light.lamps > 0;
     this.direct.color = new Color(...direct);
     this.direct.intensity = 1;
     this.ambient.color = new Color(...dull(light.sky));
@@ -413,17 +409,9 @@ export class Picture {
       if (!built) return;
       built.group.visible = Boolean(now && ship);
       if (!now || !ship) return;
-      const pulls = now.order === "pull";
-      const at = pulls ? info.pull_at_m : info.push_at_m;
-      const side = Math.sign(at[1]) || 1;
-      const works = now.force_n > 1e3 || now.order !== "stop";
-      const toward = works ? now.direction_rad : (-side * Math.PI) / 2;
-      const half = info.length_m / 2;
-      const off = pulls ? TOW_M + half : -(half + (works ? 0.5 : IDLE_OFF_M));
-      const there = turned(toward, [off, 0]);
-      const place = onEarth(ship, [at[0] + there[0], at[1] + there[1]]);
+      const { place, heading_rad } = tugPlace(info, now, ship);
       built.group.position.set(...toPicture(this.origin, place, 0));
-      built.group.rotation.set(0, -(ship[2] + toward + (pulls ? Math.PI : 0)), 0, "YXZ");
+      built.group.rotation.set(0, -heading_rad, 0, "YXZ");
       built.group.updateMatrixWorld();
     });
   }
@@ -594,11 +582,11 @@ export class Picture {
     this.glows.begin();
     // Rule 20: lights from sunset on, and in restricted visibility.
     const fog = frame.visibility_m !== null && frame.visibility_m < 3700;
-    if (this.isDark || fog) {
+    if (this.light.lamps > 0 || fog) {
       for (const ship of this.ships) this.shipLights(ship, frame);
       for (const { group, lamps } of this.tugs) if (group.visible) this.glow(group, lamps, 1);
     }
-    if (this.isDark) {
+    if (this.light.lamps > 0) {
       for (const feature of this.hello?.chart ?? []) this.chartLight(feature, t_s);
     }
     this.glows.end();
@@ -702,7 +690,6 @@ export class Picture {
     this.drawn += 1;
     if (!this.options.cheap)
       this.renderer.shadowMap.autoUpdate = this.drawn % 4 === 1 || look.eye === "free";
-    const light = lightOf(this.sun).from;
     const ahead = camera.getWorldDirection(new Vector3());
     const reach = look.eye === "free" ? Math.min(look.off_m, 250) : SHADOW_M * 0.7;
     // In whole steps, so that shadows do not creep.
@@ -714,7 +701,7 @@ export class Picture {
       round(camera.position.z + ahead.z * reach),
     );
     direct.position
-      .set(...light)
+      .set(...this.light.from)
       .multiplyScalar(500)
       .add(direct.target.position);
     direct.target.updateMatrixWorld();
@@ -739,16 +726,3 @@ function unknown(outline: Pair[], name: string): Vessel {
     is_tug: false,
   };
 }
-
-/** Outline of a vector tug, in half lengths and half beams, as on the plan. */
-const TUG_OUTLINE: Pair[] = [
-  [-1, -0.75],
-  [-0.8, -1],
-  [0.35, -1],
-  [0.8, -0.62],
-  [1, 0],
-  [0.8, 0.62],
-  [0.35, 1],
-  [-0.8, 1],
-  [-1, 0.75],
-];

@@ -1,9 +1,9 @@
 /** Draws what ships that pass do to vessels at rest: the clear distance, and the force of the flow. */
-import { add, length, minus, onEarth, times, toScreen } from "../geometry";
+import { add, clamp, length, minus, onEarth, times, toScreen } from "../geometry";
 import { fixed, force } from "../units";
 import { Rank } from "./labels";
 import { arrow, stroke } from "./marks";
-import { PX_PER_MN, type Scene, clamp } from "./scene";
+import { PX_PER_MN, type Scene } from "./scene";
 
 /** Half the length of the ticks at the ends of a distance [px]. */
 const TICK_PX = 5;

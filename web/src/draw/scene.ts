@@ -2,6 +2,7 @@
 import {
   type Camera,
   add,
+  clamp,
   dot,
   length,
   minus,
@@ -14,6 +15,7 @@ import { type Live, isOfTug } from "../live";
 import { type Palette, loadColour } from "../palette";
 import type { BodyNow, Frame, Hello, LineInfo, LineNow, Pair, PathPoint } from "../protocol";
 import { fenderLoad, fixed, spoken, tonnes } from "../units";
+import { TOW_M, WORKS_N, tugOutline, tugPlace } from "../vector_tug";
 import type { Limits } from "./depths";
 import { type Label, Rank } from "./labels";
 import { arrow, polygon, stroke } from "./marks";
@@ -40,8 +42,6 @@ export const PX_PER_MN = 70;
 const ENDS_FROM_PX = 30;
 /** Length of a lateral-speed arrow per metre a second [px]. */
 const PX_PER_MPS = 220;
-
-export const clamp = (x: number, low: number, high: number) => Math.min(high, Math.max(low, x));
 
 export function drawWater({ to, camera, colours, hello }: Scene): void {
   // Where a chart of depths has none, the depth is not known.
@@ -438,32 +438,11 @@ export function drawVectorTugs(scene: Scene): void {
     const ship = bodies[hello.vessels[info.vessel]?.body ?? -1];
     if (!now || !ship) return;
     const pulls = now.order === "pull";
-    const at = pulls ? info.pull_at_m : info.push_at_m;
-    const side = Math.sign(at[1]) || 1;
-    const works = now.force_n > 1e3 || now.order !== "stop";
-    const toward = works ? now.direction_rad : (-side * Math.PI) / 2;
+    const { place, heading_rad, at, toward_rad, works } = tugPlace(info, now, ship);
     const half = info.length_m / 2;
-    // Distance from the side: half her length while she pushes, her line while she pulls, else a little.
-    const off = pulls ? 45 + half : -(half + (works ? 0.5 : 14));
-    const centre = add(at, turned(toward, [off, 0]));
-    const heading = ship[2] + toward;
-    const place = onEarth(ship, centre);
-    const hull: Pair[] = [
-      [-1, -0.75],
-      [-0.8, -1],
-      [0.35, -1],
-      [0.8, -0.62],
-      [1, 0],
-      [0.8, 0.62],
-      [0.35, 1],
-      [-0.8, 1],
-      [-1, 0.75],
-    ];
     polygon(
       to,
-      hull.map(([x, y]) =>
-        toScreen(camera, add(place, turned(heading, [x * half, (y * info.beam_m) / 2]))),
-      ),
+      tugOutline(info).map((corner) => toScreen(camera, add(place, turned(heading_rad, corner)))),
     );
     to.fillStyle = colours.tug;
     to.globalAlpha = works ? 0.9 : 0.45;
@@ -476,33 +455,29 @@ export function drawVectorTugs(scene: Scene): void {
       stroke(
         to,
         toScreen(camera, onEarth(ship, at)),
-        toScreen(camera, onEarth(ship, add(at, turned(toward, [45, 0])))),
+        toScreen(camera, onEarth(ship, add(at, turned(toward_rad, [TOW_M, 0])))),
         colours.line,
         2,
       );
     const working = onEarth(ship, at);
-    if (now.force_n > 1e3) {
+    if (now.force_n > WORKS_N) {
       const long = clamp((now.force_n / 1e6) * PX_PER_MN, 14, 120) / camera.pixels_per_m;
       arrow(
         to,
         toScreen(camera, working),
-        toScreen(camera, add(working, turned(heading, [long, 0]))),
+        toScreen(camera, add(working, turned(ship[2] + toward_rad, [long, 0]))),
         colours.force,
         4,
       );
     }
     const text =
-      now.force_n > 1e3
+      now.force_n > WORKS_N
         ? `${spoken(info.name)} ${tonnes(now.force_n)}${now.limited ? " max" : ""}`
         : spoken(info.name);
-    const outward = pulls ? -1 : 1;
     const stern = (beyond_px: number) =>
       toScreen(
         camera,
-        onEarth(
-          ship,
-          add(at, turned(toward, [off - outward * (half + beyond_px / camera.pixels_per_m), 0])),
-        ),
+        add(place, turned(heading_rad, [-half - beyond_px / camera.pixels_per_m, 0])),
       );
     labels.push({
       key: `tug ${info.name}`,

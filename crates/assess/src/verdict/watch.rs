@@ -238,10 +238,8 @@ impl Watch {
             let level_m = setup.world.environment.level_m(step.t_s);
             let vessels = setup.world.vessels.iter().zip(step.vessels).enumerate();
             for (own, (index, (vessel, now))) in self.overheads.iter_mut().zip(vessels) {
-                let outline = &setup.bodies[vessel.body].outline;
                 let state = &step.states[vessel.body];
-                let water_m = [level_m, now.squat_m];
-                if let Some(now) = setup.world.overhead.over(index, outline, state, water_m) {
+                if let Some(now) = setup.world.overhead.over(index, state, level_m, now.squat_m) {
                     own.add(now, step.t_s);
                 }
             }

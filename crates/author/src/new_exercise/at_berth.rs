@@ -174,8 +174,8 @@ impl NewExercise {
         let pose = Pose::new(carrier.position_m, carrier.heading_rad);
         let middle_m = pose.apply((berth.from_m + berth.to_m) * 0.5);
         let to_sea = pose.rotation.apply(berth.facing);
-        let hull = Hull::at(self, ship, middle_m, to_sea);
-        text::ship_body(text, self, &hull, ship);
+        let hull = Hull::at(&self.ship, ship, middle_m, to_sea);
+        text::ship_body(text, &self.ship, &hull, ship);
         for (name, table) in [("concrete", text::CONCRETE), ("bow", text::BOW)] {
             if !setup.materials.iter().any(|material| material.name == name) {
                 text.push_str(table);

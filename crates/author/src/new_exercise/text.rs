@@ -4,7 +4,7 @@ use core::fmt::Write as _;
 
 use fenderline_contact::{Vec2, vec2};
 
-use super::{BerthingSide, NewBerth, NewExercise, NewWeather};
+use super::{BerthingSide, NewBerth, NewExercise, NewShip, NewWeather};
 use fenderline_scenario::FenderSize;
 use fenderline_scenario::VesselData;
 
@@ -46,7 +46,7 @@ shear_stiffness = "3000 kN/m"
 friction_static = 0.2
 friction_dynamic = 0.2
 "#;
-pub(crate) const BOW: &str = r#"
+pub(super) const BOW: &str = r#"
 # Friction of the tugs' bow fenders: an assumption, not from a source.
 [material.bow]
 stiffness = "500 kN/m^2"
@@ -56,14 +56,14 @@ friction_dynamic = 0.4
 "#;
 
 /// Number of bollards on a quay.
-pub(crate) fn bollards(berth: &NewBerth) -> usize {
+pub(super) fn bollards(berth: &NewBerth) -> usize {
     // Checked to be of the order of a quay.
     let places = libm::floor((berth.length_m - 10.0) / berth.bollard_spacing_m);
     if places < 1e4 { places as usize + 1 } else { usize::MAX }
 }
 
 /// The text of the scenario file; `None` if the fenders have neither a size nor height and reaction.
-pub(crate) fn compose(
+pub(super) fn compose(
     of: &NewExercise,
     ship: &VesselData,
     tug: &VesselData,
@@ -76,7 +76,7 @@ pub(crate) fn compose(
     );
     environment(&mut text, of);
     let hull = Hull::of(of, ship);
-    ship_body(&mut text, of, &hull, ship);
+    ship_body(&mut text, &of.ship, &hull, ship);
     quay(&mut text, of);
     for material in [CONCRETE, FACING, BOW] {
         text.push_str(material);
@@ -113,21 +113,21 @@ pub(crate) struct Hull {
 impl Hull {
     /// The ship at the straight quay, whose middle is the origin, with the water to the west.
     fn of(of: &NewExercise, ship: &VesselData) -> Hull {
-        Hull::at(of, ship, Vec2::ZERO, vec2(0.0, -1.0))
+        Hull::at(&of.ship, ship, Vec2::ZERO, vec2(0.0, -1.0))
     }
 
     /// The ship at a berth whose middle is `middle_m` and from which the water lies in the direction `to_sea`.
-    pub(crate) fn at(of: &NewExercise, ship: &VesselData, middle_m: Vec2, to_sea: Vec2) -> Hull {
+    pub(crate) fn at(of: &NewShip, ship: &VesselData, middle_m: Vec2, to_sea: Vec2) -> Hull {
         let particulars = &ship.ship.particulars;
         let length_m = ship.length_overall_m.unwrap_or(particulars.length_m);
-        let shore = match of.ship.side {
+        let shore = match of.side {
             BerthingSide::Starboard => 1.0,
             BerthingSide::Port => -1.0,
         };
         // With the berth to starboard, the bow is a quarter turn to port of the direction to the berth.
         let ahead = vec2(-to_sea.y, to_sea.x) * shore;
-        let off_m = of.ship.off_m + 0.5 * particulars.beam_m;
-        let at_m = middle_m + to_sea * off_m - ahead * of.ship.astern_m;
+        let off_m = of.off_m + 0.5 * particulars.beam_m;
+        let at_m = middle_m + to_sea * off_m - ahead * of.astern_m;
         Hull { length_m, beam_m: particulars.beam_m, at_m, ahead, to_sea, shore }
     }
 }
@@ -159,7 +159,7 @@ fn environment(text: &mut String, of: &NewExercise) {
 }
 
 /// The keys of wind, current and visibility, with the values that the user chose.
-pub(crate) fn weather(of: &NewExercise) -> Vec<(&'static str, String)> {
+pub(super) fn weather(of: &NewExercise) -> Vec<(&'static str, String)> {
     let NewWeather { wind_mps, wind_from_rad, gusts, current_mps, current_to_rad, visibility_m } =
         of.weather;
     let wind = (wind_mps > 0.0).then(|| {
@@ -173,7 +173,7 @@ pub(crate) fn weather(of: &NewExercise) -> Vec<(&'static str, String)> {
     [wind, current, visibility].into_iter().flatten().collect()
 }
 
-pub(crate) fn ship_body(text: &mut String, of: &NewExercise, hull: &Hull, ship: &VesselData) {
+pub(crate) fn ship_body(text: &mut String, of: &NewShip, hull: &Hull, ship: &VesselData) {
     let _ = write!(text, "\n[body.ship]\nvessel = {}\n", quoted(&ship.name));
     if ship.outline_m.is_none() {
         // The outline is about the centre of gravity.
@@ -192,7 +192,7 @@ pub(crate) fn ship_body(text: &mut String, of: &NewExercise, hull: &Hull, ship: 
         tenth(hull.at_m.x),
         tenth(hull.at_m.y),
         bearing_deg(hull.ahead),
-        of.ship.speed_mps
+        of.speed_mps
     );
 }
 
@@ -240,7 +240,7 @@ fn fenders(text: &mut String, berth: &NewBerth, size: Option<&FenderSize>) -> Op
 
 /// Writes the tugs, each on her line. The tugs may touch the ship, each other, and the fixed bodies that `ashore`
 /// names.
-pub(crate) fn tugs(
+pub(super) fn tugs(
     text: &mut String,
     of: &NewExercise,
     hull: &Hull,
@@ -280,7 +280,7 @@ pub(crate) fn tugs(
 }
 
 /// Writes a pair of two bodies that may touch.
-pub(crate) fn pair(text: &mut String, one: &str, other: &str) {
+pub(super) fn pair(text: &mut String, one: &str, other: &str) {
     let (one, other) = (quoted(one), quoted(other));
     let _ = write!(text, "\n[[pair]]\nbodies = [{one}, {other}]\nmaterial = \"concrete\"\n");
 }

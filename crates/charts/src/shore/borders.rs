@@ -3,9 +3,7 @@
 use std::collections::BTreeMap;
 
 use fenderline_contact::{Vec2, vec2};
-use fenderline_sim::distance::to_segment_m;
-
-use super::cut::contains;
+use fenderline_sim::distance::{contains, to_segment_m};
 
 /// How near two borders count as the same border (m). Coordinates of charts are rounded to a centimetre.
 const SAME_BORDER_M: f64 = 0.1;

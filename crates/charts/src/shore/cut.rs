@@ -1,6 +1,7 @@
 //! Cuts areas of a chart into simple polygons with few corners and without holes.
 
 use fenderline_contact::{Vec2, vec2};
+use fenderline_sim::distance::contains;
 
 /// Corners nearer to each other than this are one corner (m). Coordinates of charts are rounded to a centimetre.
 const SAME_M: f64 = 1e-6;
@@ -247,19 +248,6 @@ pub(super) fn doubled_area_m2(ring: &[Vec2]) -> f64 {
     let base = ring[0];
     let ends = ring.iter().zip(ring.iter().cycle().skip(1));
     ends.map(|(from, to)| (*from - base).cross(*to - base)).sum()
-}
-
-/// Whether a point lies within a ring. A point on the ring counts as either.
-pub(crate) fn contains(ring: &[Vec2], point: Vec2) -> bool {
-    let mut is_inside = false;
-    for (a, b) in ring.iter().zip(ring.iter().cycle().skip(1)) {
-        if (a.y > point.y) != (b.y > point.y)
-            && point.x < a.x + (b.x - a.x) * ((point.y - a.y) / (b.y - a.y))
-        {
-            is_inside = !is_inside;
-        }
-    }
-    is_inside
 }
 
 #[cfg(test)]

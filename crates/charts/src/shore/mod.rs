@@ -11,7 +11,6 @@ use fenderline_contact::{Outline, Vec2};
 use fenderline_sim::chart::{Chart, ChartClass, ChartFeature, ChartShape};
 
 use self::borders::{Borders, Meets};
-pub(crate) use self::cut::contains;
 
 /// What the shore is made from.
 pub struct Request<'r> {

@@ -104,17 +104,15 @@ fn off_track(of: &Input<'_>, vessel: usize) -> Option<Alarm> {
 /// The alarm of a vessel that is under a bridge or cable with too little clearance, or will be if she keeps her velocity
 /// and heading.
 fn overhead(of: &Input<'_>, index: usize) -> Option<Alarm> {
-    let setup = of.simulation.setup();
-    let overhead = &setup.world.overhead;
-    overhead.air_draught_m(index)?;
-    let (vessel, now) = (&of.info.vessels[index], &of.vessels[index]);
-    let (outline, state) =
-        (&setup.bodies[vessel.body].outline, &of.simulation.states()[vessel.body]);
-    let water_m = [setup.world.environment.level_m(of.simulation.time_s()), now.squat_m];
+    let world = &of.simulation.setup().world;
+    let overhead = &world.overhead;
+    let (vessel, squat_m) = (&of.info.vessels[index], of.vessels[index].squat_m);
+    let state = &of.simulation.states()[vessel.body];
+    let level_m = world.environment.level_m(of.simulation.time_s());
     let name = &*vessel.name;
     let structure = |of: AirClearance| &*overhead.structures[of.structure].name;
     let level = |clearance_m: f64| alarm_if(clearance_m < 0.0);
-    if let Some(here) = overhead.over(index, outline, state, water_m)
+    if let Some(here) = overhead.over(index, state, level_m, squat_m)
         && here.clearance_m < OVERHEAD_M
     {
         let (clearance_m, over) = (here.clearance_m, structure(here));
@@ -124,7 +122,7 @@ fn overhead(of: &Input<'_>, index: usize) -> Option<Alarm> {
         };
         return Some(of_level(level(clearance_m), "overhead", &[name], text));
     }
-    let (after_s, ahead) = overhead.ahead(index, outline, state, (water_m, AHEAD_S))?;
+    let (after_s, ahead) = overhead.ahead(index, state, level_m, squat_m, AHEAD_S)?;
     let (clearance_m, over) = (ahead.clearance_m, structure(ahead));
     if clearance_m >= OVERHEAD_M {
         return None;

@@ -28,9 +28,8 @@ pub(crate) fn harbour() -> Session {
     open("scenarios/berth/alongside_with_two_tugs.toml", &["line.head.made_fast=\"0 s\""])
 }
 
-/// A ship on the first leg of a passage plan, with a corridor of 40 m; her rudder to starboard takes her out of it.
-pub(crate) fn planned() -> Session {
-    const TEXT: &str = r#"
+/// A coaster that goes north at 6 knots. The table of her body is the last.
+const COASTER: &str = r#"
 [time]
 step = "0.1 s"
 duration = "1 h"
@@ -46,6 +45,11 @@ vessel = "coaster"
 outline = [[-50, -8], [50, -8], [50, 8], [-50, 8]]
 velocity = { surge = "6 kn" }
 running = 0.4
+"#;
+
+/// A ship on the first leg of a passage plan, with a corridor of 40 m; her rudder to starboard takes her out of it.
+pub(crate) fn planned() -> Session {
+    const PLAN: &str = r#"
 [plan.inbound]
 vessel = "ship"
 [[plan.inbound.waypoint]]
@@ -61,41 +65,26 @@ half_width = "20 m"
 position = [3000, 1200]
 "#;
     let none = |name: &str| Err(format!("{name}: none is needed"));
-    let (source, _) =
-        Source::collect("planned.toml", TEXT.to_owned(), vec![], none).expect("a good scenario");
+    let (source, _) = Source::collect("planned.toml", format!("{COASTER}{PLAN}"), vec![], none)
+        .expect("a good scenario");
     Session::open(source).expect("a good set-up")
 }
 
 /// A ship on her way to a bridge 350 m ahead that is 1 m too low for her.
 pub(crate) fn under_bridge() -> Session {
-    const TEXT: &str = r#"
-[time]
-step = "0.1 s"
-duration = "1 h"
+    const MORE: &str = r#"
+air_draught = "33 m"
 [chart]
 files = ["bridge.geojson"]
 coordinates = "metres"
 clearance_datum = "2 m"
-[vessel.coaster]
-length_bp = 100
-beam = 16
-draught = 6
-block_coefficient = 0.7
-rudder = { area = "12 m^2", span = "4 m" }
-propeller = { diameter = "4 m", full = "130 rpm" }
-[body.ship]
-vessel = "coaster"
-outline = [[-50, -8], [50, -8], [50, 8], [-50, 8]]
-velocity = { surge = "6 kn" }
-running = 0.4
-air_draught = "33 m"
 "#;
     const CHART: &str = r#"{ "type": "FeatureCollection", "features": [{ "type": "Feature",
 "properties": { "OBJL": 11, "OBJNAM": "High Bridge", "VERCLR": 30 }, "geometry": { "type": "LineString",
 "coordinates": [[-200, 350], [200, 350]] } }] }"#;
     let chart = |_: &str| Ok(CHART.to_owned());
-    let (source, _) =
-        Source::collect("bridge.toml", TEXT.to_owned(), vec![], chart).expect("a good scenario");
+    let (source, _) = Source::collect("bridge.toml", format!("{COASTER}{MORE}"), vec![], chart)
+        .expect("a good scenario");
     Session::open(source).expect("a good set-up")
 }
 

@@ -8,7 +8,7 @@ mod passing;
 mod tug;
 mod vessel;
 
-use fenderline_contact::{Outline, Pose, Vec2};
+use fenderline_contact::{Pose, Vec2};
 use fenderline_sim::{Setup, StepRecord, WorldSetup};
 
 pub use anchor::{AnchorTotals, AnchorVerdict};
@@ -37,8 +37,6 @@ pub struct WorldTotals {
     pub events: WorldEvents,
     /// Outlines and poses of the vessels, if ships pass.
     hulls: Vec<(Vec<Vec2>, Pose)>,
-    /// Outlines of the vessels, if the scenario has bridges or cables over the water.
-    outlines: Vec<Outline>,
 }
 
 impl WorldTotals {
@@ -56,13 +54,6 @@ impl WorldTotals {
                 .into_iter()
                 .map(|outline_m| (outline_m, Pose::new(Vec2::ZERO, 0.0)))
                 .collect(),
-            outlines: match world.overhead.structures.is_empty() {
-                true => Vec::new(),
-                false => {
-                    let vessels = world.vessels.iter();
-                    vessels.map(|vessel| setup.bodies[vessel.body].outline.clone()).collect()
-                }
-            },
             step_s: setup.step_s,
             setup: world,
         }
@@ -70,18 +61,8 @@ impl WorldTotals {
 
     /// Adds one step.
     pub fn add(&mut self, step: &StepRecord<'_>) {
-        let WorldTotals {
-            setup,
-            step_s,
-            vessels,
-            tugs,
-            lines,
-            anchors,
-            passing,
-            events,
-            hulls,
-            outlines,
-        } = self;
+        let WorldTotals { setup, step_s, vessels, tugs, lines, anchors, passing, events, hulls } =
+            self;
         let forces = step.vessel_forces;
         for (((totals, vessel), now), forces) in
             vessels.iter_mut().zip(&setup.vessels).zip(step.vessels).zip(forces)
@@ -97,9 +78,8 @@ impl WorldTotals {
             let totals_of = &mut *vessels;
             let vessels = setup.vessels.iter().zip(step.vessels).enumerate();
             for (totals, (index, (vessel, now))) in totals_of.iter_mut().zip(vessels) {
-                let (state, outline) = (&step.states[vessel.body], &outlines[index]);
-                let water_m = [level_m, now.squat_m];
-                if let Some(now) = setup.overhead.over(index, outline, state, water_m) {
+                let state = &step.states[vessel.body];
+                if let Some(now) = setup.overhead.over(index, state, level_m, now.squat_m) {
                     totals.add_overhead(step.t_s, &now);
                 }
             }

@@ -38,8 +38,7 @@ impl Assembly<'_, '_> {
         let vessel = self.vessel_of_exercise(table, setup, names)?;
         let berth = self.berth_of_exercise(table, setup, vessel, names)?;
         let goal = self.goal(table, setup, vessel)?;
-        let limits =
-            self.limits(table.given(ExerciseKey::LIMIT).table(), setup, (vessel, berth))?;
+        let limits = self.limits(table.given(ExerciseKey::LIMIT).table(), setup, vessel, berth)?;
         let needs_berth = goal.iter().any(Condition::needs_berth)
             || limits.iter().any(|limit| limit.measure.needs_berth())
             || table.item(ExerciseKey::MARK).is_some();
@@ -303,12 +302,13 @@ impl Assembly<'_, '_> {
         &mut self,
         table: Of<'_, ExerciseLimitKey>,
         setup: &Setup,
-        of: (usize, Option<Berth>),
+        vessel: usize,
+        berth: Option<Berth>,
     ) -> Checked<Vec<Limit>> {
         let given = Measure::ALL.into_iter().filter_map(|measure| {
             table.item(limit_key(measure)).map(|item| (measure, item.table()))
         });
-        given.map(|(measure, limit)| self.limit(measure, limit, setup, of)).collect()
+        given.map(|(measure, limit)| self.limit(measure, limit, setup, vessel, berth)).collect()
     }
 
     fn limit(
@@ -316,7 +316,8 @@ impl Assembly<'_, '_> {
         measure: Measure,
         table: Of<'_, ScoreKey>,
         setup: &Setup,
-        (vessel, berth): (usize, Option<Berth>),
+        vessel: usize,
+        berth: Option<Berth>,
     ) -> Checked<Limit> {
         let is_structure = |(index, body): (usize, &fenderline_sim::BodySetup)| {
             body.is_fixed() && berth.is_none_or(|berth| berth.body != index)
@@ -371,7 +372,6 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// The indices of a ship's mooring lines, which are the lines whose fairlead is on the ship.
 /// The mark of the berth for the docking board.
 fn mark(table: Of<'_, MarkKey>, setup: &Setup, vessel: usize) -> BerthMark {
     let outline = &setup.bodies[setup.world.vessels[vessel].body].outline;
@@ -384,6 +384,7 @@ fn mark(table: Of<'_, MarkKey>, setup: &Setup, vessel: usize) -> BerthMark {
     }
 }
 
+/// The indices of a ship's mooring lines, which are the lines whose fairlead is on the ship.
 fn own_lines(setup: &Setup, vessel: usize) -> impl Iterator<Item = usize> {
     let body = setup.world.vessels[vessel].body;
     let lines = setup.world.lines.iter().enumerate();

@@ -1,8 +1,8 @@
 //! Bridges and cables of the chart over the water, and the air draughts of vessels.
 
-use fenderline_sim::Setup;
 use fenderline_sim::chart::{Chart, ChartFeature, ChartKind};
-use fenderline_sim::overhead::{OverheadSetup, Structure};
+use fenderline_sim::overhead::{OverheadSetup, Structure, TallVessel};
+use fenderline_sim::{Setup, VesselSetup};
 
 use super::assembly::{Assembly, Checked};
 use fenderline_keys::checked::{Of, Tables};
@@ -89,13 +89,16 @@ impl Assembly<'_, '_> {
             let above_datum_m = level.number() + feature.clearance_m?;
             Structure::new(named(feature), feature.shape.clone(), above_datum_m)
         };
-        let air_draught = |of: &Option<(Of<'_, BodyKey>, _)>| {
-            let (table, _) = of.as_ref()?;
-            table.item(BodyKey::AIR_DRAUGHT).map(|item| *item.number())
+        let tall = |(vessel, given): (&VesselSetup, &Option<(Of<'_, BodyKey>, Option<_>)>)| {
+            let (table, _) = given.as_ref()?;
+            let air_draught_m = *table.item(BodyKey::AIR_DRAUGHT)?.number();
+            let outline = setup.bodies[vessel.body].outline.clone();
+            Some(TallVessel { air_draught_m, outline })
         };
+        let vessels = setup.world.vessels.iter().zip(&air_draughts);
         Ok(OverheadSetup {
             structures: structures(chart).filter_map(structure).collect(),
-            air_draughts_m: air_draughts.iter().map(air_draught).collect(),
+            vessels: vessels.map(tall).collect(),
         })
     }
 

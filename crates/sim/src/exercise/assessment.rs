@@ -154,7 +154,7 @@ impl Assessment {
         let (berth, mark) = (self.setup.berth?, self.setup.mark.as_ref()?);
         let states = simulation.states();
         let ship = simulation.setup().world.vessels[self.setup.vessel].body;
-        Some(berth.to_go_m(&states[berth.body], &states[ship], (mark.at_m, mark.of_ship_m)))
+        Some(berth.to_go_m(&states[berth.body], &states[ship], mark.at_m, mark.of_ship_m))
     }
 
     /// The exercise.

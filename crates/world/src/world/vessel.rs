@@ -541,6 +541,12 @@ impl VesselSetup {
         squat.sinkage_in_m(hull, depth_m, section_m2, surge_mps)
     }
 
+    /// The under-keel clearance below which a live session cautions (m): a tenth of the draught, which is our choice.
+    #[must_use]
+    pub fn under_keel_caution_m(&self) -> f64 {
+        0.1 * self.ship.particulars.draught_m
+    }
+
     /// The least under-keel clearance with a squat (m); `None` in deep water.
     #[must_use]
     pub fn under_keel_m(&self, squat_m: f64, soundings: &Soundings) -> Option<f64> {

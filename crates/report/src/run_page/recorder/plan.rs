@@ -50,7 +50,8 @@ impl PlanTrace {
         &mut self,
         t_s: f64,
         state: &BodyState,
-        (squat_m, soundings): (f64, &Soundings),
+        squat_m: f64,
+        soundings: &Soundings,
     ) {
         let Some(on) = self.ship.on_plan(state) else { return };
         let clearances_m = self.ship.clearances_m(squat_m, soundings);

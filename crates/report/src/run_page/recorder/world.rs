@@ -155,8 +155,8 @@ impl WorldTrace {
         for (index, trace) in self.vessels.iter_mut().enumerate() {
             trace.push(step.t_s, self.step_s, step.states, &step.vessels[index]);
             if let Some(plan) = &mut trace.plan {
-                let water = (step.vessels[index].squat_m, &step.soundings[index]);
-                plan.push(step.t_s, &step.states[trace.body], water);
+                let (squat_m, soundings) = (step.vessels[index].squat_m, &step.soundings[index]);
+                plan.push(step.t_s, &step.states[trace.body], squat_m, soundings);
             }
             let force = &step.vessel_forces[index].passing;
             let parts = [force.surge_n, force.sway_n, force.yaw_nm];

@@ -5,7 +5,7 @@ use fenderline_contact::{BodyState, Vec2, vec2};
 use fenderline_sim::constants::KNOT_MPS;
 use fenderline_sim::environment::Bank;
 use fenderline_sim::environment::current::Current;
-use fenderline_sim::exercise::{Assessment, Measure};
+use fenderline_sim::exercise::{Assessment, ExerciseSetup, Measure};
 use fenderline_sim::{Environment, LineEnd, Setup, VesselSetup};
 use maud::{Markup, html};
 
@@ -91,6 +91,12 @@ fn tugs(setup: &Setup, marks: &[TugMark]) -> Vec<TugDrawn> {
 /// live session begins with the same clearance.
 const USUAL_CLEARANCE_M: f64 = 1.5;
 
+/// The under-keel clearance that an exercise asks for (m); `None` if the exercise has no such limit.
+pub(in crate::run_page) fn under_keel_limit_m(exercise: &ExerciseSetup) -> Option<f64> {
+    let limits = exercise.limits.iter().filter(|limit| limit.measure == Measure::UnderKeel);
+    limits.map(|limit| limit.bound).reduce(greater)
+}
+
 /// Depths at which the shades of the chart change: for the ship of the exercise; without an exercise for the ship with
 /// a passage plan, or else for the ship with the largest draught. `None` if there is no vessel.
 pub(in crate::run_page) fn depth_limits(outcome: &Outcome<'_>) -> Option<DepthLimits> {
@@ -109,11 +115,7 @@ pub(in crate::run_page) fn depth_limits(outcome: &Outcome<'_>) -> Option<DepthLi
                 },
             )
         })?;
-    let limits = exercise.into_iter().flat_map(|of| &of.limits);
-    let clearance_m = limits
-        .filter(|limit| limit.measure == Measure::UnderKeel)
-        .map(|limit| limit.bound)
-        .reduce(greater);
+    let clearance_m = exercise.and_then(under_keel_limit_m);
     Some(DepthLimits {
         ship: setup.bodies[ship.body].name.clone(),
         draught_m: draught_m(ship),

@@ -20,7 +20,7 @@ use crate::plot::{
 };
 use fenderline_results::Outcome;
 
-pub(super) use harbour::{depth_limits, moored, weather_texts};
+pub(super) use harbour::{depth_limits, moored, under_keel_limit_m, weather_texts};
 
 /// Largest number of drawn bodies.
 const DRAWN: usize = 300;

@@ -1,19 +1,16 @@
 //! The report's section on passage plans: a table of the legs, and the way along the plan.
 
-use fenderline_contact::number::greater;
 use fenderline_sim::VesselSetup;
 use fenderline_sim::constants::KNOT_MPS;
-use fenderline_sim::exercise::{Assessment, Measure};
+use fenderline_sim::exercise::Assessment;
 use fenderline_sim::track::PassagePlan;
 use maud::{Markup, html};
 
 use crate::plot::{Axis, Chart, Point, Reference, Series, fixed, waypoint_name};
 use crate::run_page::recorder::{LegTrace, PlanTrace, Recorder};
+use crate::run_page::scene::under_keel_limit_m;
 use crate::{Head, table_head};
 use fenderline_results::Outcome;
-
-/// The under-keel clearance, as a share of the draught, below which a live session cautions.
-const CAUTION: f64 = 0.1;
 
 /// The sections of the vessels that have a passage plan.
 pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
@@ -27,7 +24,7 @@ pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
             h3 { "Passage plan " (plan.name) ", " (name) }
             (legs(plan, trace))
             (cross_track(name, plan, trace))
-            (under_keel((outcome, vessel), name, plan, trace))
+            (under_keel(outcome, vessel, name, plan, trace))
             (speed(name, plan, trace))
         }
     }
@@ -151,7 +148,8 @@ fn cross_track(name: &str, plan: &PassagePlan, trace: &PlanTrace) -> Markup {
 /// The clearances under the keel along the plan, with the limit of the exercise, or with that of the cautions if the
 /// exercise has no such limit. Empty in deep water.
 fn under_keel(
-    (outcome, vessel): (&Outcome<'_>, &VesselSetup),
+    outcome: &Outcome<'_>,
+    vessel: &VesselSetup,
     name: &str,
     plan: &PassagePlan,
     trace: &PlanTrace,
@@ -167,15 +165,11 @@ fn under_keel(
     let title = format!("Least clearance under the keel along the plan, squat included, {name}");
     let axis = Axis::new("clearance", "m").including(0.0);
     let mut chart = along(title, plan, axis, series);
-    let is_own = |exercise: &&Assessment| {
-        outcome.setup.world.vessels[exercise.setup().vessel].body == vessel.body
-    };
-    let limits = outcome.exercise.filter(is_own).into_iter().flat_map(|of| &of.setup().limits);
-    let limit = limits.filter(|limit| limit.measure == Measure::UnderKeel).map(|limit| limit.bound);
-    let caution_m = CAUTION * vessel.ship.particulars.draught_m;
-    let (label, value) = match limit.reduce(greater) {
+    let exercise = outcome.exercise.map(Assessment::setup);
+    let own = exercise.filter(|of| outcome.setup.world.vessels[of.vessel].body == vessel.body);
+    let (label, value) = match own.and_then(under_keel_limit_m) {
         Some(bound_m) => ("limit of the exercise", bound_m),
-        None => ("a tenth of her draught", caution_m),
+        None => ("a tenth of her draught", vessel.under_keel_caution_m()),
     };
     chart.references = vec![Reference { label: label.to_owned(), value }];
     chart.note = format!(

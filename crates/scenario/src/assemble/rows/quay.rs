@@ -178,10 +178,11 @@ impl Assembly<'_, '_> {
                 WaterSide::Right => along.quarter_turn(),
                 WaterSide::Left => along.quarter_turn_back(),
             };
-            let in_body =
-                (ashore.pose.apply_inverse(at_m), ashore.pose.rotation.apply_inverse(to_water));
+            let in_body_m = ashore.pose.apply_inverse(at_m);
+            let to_water = ashore.pose.rotation.apply_inverse(to_water);
             let outline = &body.outline;
-            let off_m = face_m(in_body, ashore.reach_m(), outline.edges(), outline.polygons());
+            let reach_m = ashore.reach_m();
+            let off_m = face_m(in_body_m, to_water, reach_m, outline.edges(), outline.polygons());
             let Some(off_m) = off_m else {
                 let why = format!(
                     "body {} has no face towards the water within {} m of the line",
@@ -194,7 +195,7 @@ impl Assembly<'_, '_> {
                 };
                 return Err(complain(at_m, &why).with_help(help));
             };
-            mounts.push(Mount { position_m: in_body.0 + in_body.1 * off_m, to_water: in_body.1 });
+            mounts.push(Mount { position_m: in_body_m + to_water * off_m, to_water });
         }
         let half_m = 0.5 * kind.width_m;
         let length_m = line.length_m();
