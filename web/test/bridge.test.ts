@@ -4,13 +4,13 @@ import { describe, expect, test } from "vitest";
 import { LEVEL, aim, stand } from "../src/bridge/aim";
 import { arrangementOf, kindOf } from "../src/bridge/arrangement";
 import { aboard, toPicture } from "../src/bridge/axes";
-import { area2, bollard, inset } from "../src/bridge/berth";
+import { area2, bollard, inset, isInside, quaysOf } from "../src/bridge/berth";
 import { catenary, parameterByLength } from "../src/bridge/catenary";
 import { seatOn, vertical } from "../src/bridge/eyes";
 import { Fenders, faceOff } from "../src/bridge/fenders";
 import { breadthOf } from "../src/bridge/hull";
 import { atAnchor, bearingFrom, isSeen, underWay } from "../src/bridge/lamps";
-import { cut, isInside, width } from "../src/bridge/land";
+import { cut, width } from "../src/bridge/land";
 import { density } from "../src/bridge/light";
 import { type Look, lookOf } from "../src/bridge/look";
 import { mark } from "../src/bridge/marks";
@@ -541,4 +541,30 @@ test("a tug pushes with her bow at the ship's side, and pulls over her bow on a 
   const pull = bow(tugPlace(info, now("pull", 0.5 * Math.PI), ship));
   expect(pull[0]).toBeCloseTo(100 - 12 - 45, 9);
   expect(pull[1]).toBeCloseTo(240, 9);
+});
+
+test("a shore without an outline has quays under its fenders and bollards, with the front at the fenders", () => {
+  // Eight fenders that face south along a front to the east, and one far off that faces west.
+  const row = Array.from({ length: 8 }, (_, i) => ({
+    at_m: [500, 1400 + 36 * i] as Pair,
+    facing_rad: Math.PI,
+  }));
+  const lone = { at_m: [900, 0] as Pair, facing_rad: -0.5 * Math.PI };
+  const bollards: Pair[] = [
+    [501.5, 1425],
+    [514, 1600],
+    [0, 0],
+  ];
+  const rings = quaysOf([...row, lone], bollards);
+  expect(rings.length).toBe(3);
+  const [quay, post, footing] = rings;
+  if (!quay || !post || !footing) throw new Error("three quays");
+  for (const at of bollards.slice(0, 2)) expect(isInside(quay, at)).toBe(true);
+  // Water before the front, quay behind.
+  for (const { at_m } of row) {
+    expect(isInside(quay, [at_m[0] - 0.01, at_m[1]])).toBe(false);
+    expect(isInside(quay, [at_m[0] + 15.9, at_m[1]])).toBe(true);
+  }
+  expect(isInside(post, [900, 0.01]) && !isInside(post, [900, -0.01])).toBe(true);
+  expect(isInside(footing, [0, 0])).toBe(true);
 });

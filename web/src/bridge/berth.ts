@@ -4,7 +4,9 @@
  */
 import type { Colour, Spot } from "./solids";
 import { Solids } from "./solids";
-import type { Pair } from "../protocol";
+import { add, dot, length, minus, times, turned } from "../geometry";
+import type { FenderInfo, Pair } from "../protocol";
+import { wrapped } from "../units";
 
 /** Height of a quay above the still water [m]. */
 export const QUAY_M = 3.5;
@@ -59,8 +61,15 @@ export function fixedParts(outline: Pair[], cut: (ring: Pair[]) => number[][], t
   else quay(outline, cut, to);
 }
 
-function walls(ring: Pair[], from_m: number, to_m: number, colour: Colour, to: Solids): void {
-  const sign = area2(ring) > 0 ? 1 : -1;
+/** Walls along a ring, seen from outside the ring, or from inside. */
+function walls(
+  ring: Pair[],
+  [from_m, to_m]: Pair,
+  colour: Colour,
+  seenFrom: "outside" | "inside",
+  to: Solids,
+): void {
+  const sign = area2(ring) > 0 === (seenFrom === "outside") ? 1 : -1;
   ring.forEach((a, i) => {
     const b = ring[(i + 1) % ring.length] ?? a;
     const out: Spot = [sign * (b[1] - a[1]), -sign * (b[0] - a[0]), 0];
@@ -113,14 +122,13 @@ function band(outer: Pair[], inner: Pair[], up_m: number, colour: Colour, to: So
   });
 }
 
-function quay(outline: Pair[], cut: (ring: Pair[]) => number[][], to: Solids): void {
+export function quay(outline: Pair[], cut: (ring: Pair[]) => number[][], to: Solids): void {
   const kerb = inset(outline, 0.35);
   const cope = inset(outline, 1.1);
-  walls(outline, BELOW_M, QUAY_M + 0.25, CONCRETE, to);
+  walls(outline, [BELOW_M, QUAY_M + 0.25], CONCRETE, "outside", to);
   band(outline, kerb, QUAY_M + 0.25, EDGE, to);
   // The kerb's back.
-  const back = kerb.toReversed();
-  walls(back, QUAY_M, QUAY_M + 0.25, COPE, to);
+  walls(kerb, [QUAY_M, QUAY_M + 0.25], COPE, "inside", to);
   band(kerb, cope, QUAY_M, COPE, to);
   lid(cope, cut, QUAY_M, DECK, to);
 }
@@ -152,4 +160,87 @@ export function bollard([f, s]: Pair, foot_m: number, to: Solids): void {
     sides: 12,
     upper_m: 0.3,
   });
+}
+
+/** Where a fender is mounted on a shore, and where it faces. */
+export type Mounted = Pick<FenderInfo, "at_m" | "facing_rad">;
+
+/** Fenders farther apart than this, or that face farther apart, are of different fronts. */
+const FRONT_GAP_M = 80;
+const FRONT_TURN_RAD = 0.6;
+/** How far a front reaches past its last fender [m]. */
+const PAST_M = 12;
+/** A quay reaches at least so far behind its front, over the bank of the coast [m]. */
+const APRON_M = 9;
+/** Half the side of the footing of a bollard that stands on no front [m]. */
+const FOOTING_M = 2;
+
+/**
+ * Quays of a shore. The session has no outline of the shore: the quays are those on which its fenders and bollards stand. A front
+ * runs along the fenders, in their order, and the quay reaches behind the front as far as the bollards stand.
+ */
+export function quaysOf(fenders: Mounted[], bollards: Pair[]): Pair[][] {
+  const quays = frontsOf(fenders).map((front): Pair[] => {
+    const [first, last] = [front[0], front.at(-1)];
+    if (!first || !last) return [];
+    // From the first fender to the last; of a single fender across its facing.
+    const way = minus(last.at_m, first.at_m);
+    const along =
+      length(way) > 0 ? times(way, 1 / length(way)) : turned(0.5 * Math.PI, outward(first));
+    const ends: Mounted[] = [
+      { ...first, at_m: add(first.at_m, times(along, -PAST_M)) },
+      ...front,
+      { ...last, at_m: add(last.at_m, times(along, PAST_M)) },
+    ];
+    const deep_m = Math.max(APRON_M, ...bollards.map((at) => behind(front, at) + 2));
+    const back = ends.map((fender) => minus(fender.at_m, times(outward(fender), deep_m)));
+    return [...ends.map(({ at_m }) => at_m), ...back.toReversed()];
+  });
+  for (const at of bollards)
+    if (!quays.some((ring) => isInside(ring, at)))
+      quays.push(
+        [
+          [-1, -1],
+          [1, -1],
+          [1, 1],
+          [-1, 1],
+        ].map(([n = 0, e = 0]): Pair => [at[0] + n * FOOTING_M, at[1] + e * FOOTING_M]),
+      );
+  return quays;
+}
+
+const outward = ({ facing_rad }: Mounted): Pair => [Math.cos(facing_rad), Math.sin(facing_rad)];
+
+/** Fenders side by side that face the same way, in their order. */
+function frontsOf(fenders: Mounted[]): Mounted[][] {
+  const fronts: Mounted[][] = [];
+  for (const fender of fenders) {
+    const front = fronts.at(-1);
+    const last = front?.at(-1);
+    const isNext =
+      last !== undefined &&
+      length(minus(fender.at_m, last.at_m)) <= FRONT_GAP_M &&
+      Math.abs(wrapped(fender.facing_rad - last.facing_rad)) <= FRONT_TURN_RAD;
+    if (front && isNext) front.push(fender);
+    else fronts.push([fender]);
+  }
+  return fronts;
+}
+
+/** How far a bollard stands behind the nearest fender of a front; 0 if it belongs to no fender of the front [m]. */
+function behind(front: Mounted[], at: Pair): number {
+  const off = (fender: Mounted) => length(minus(at, fender.at_m));
+  const nearest = front.reduce((best, next) => (off(next) < off(best) ? next : best));
+  return off(nearest) < FRONT_GAP_M ? dot(minus(nearest.at_m, at), outward(nearest)) : 0;
+}
+
+/** Whether a place lies in a ring. */
+export function isInside(ring: Pair[], [n, e]: Pair): boolean {
+  let inside = false;
+  ring.forEach((a, i) => {
+    const b = ring[(i + 1) % ring.length] ?? a;
+    if (a[1] > e !== b[1] > e && n < ((b[0] - a[0]) * (e - a[1])) / (b[1] - a[1]) + a[0])
+      inside = !inside;
+  });
+  return inside;
 }

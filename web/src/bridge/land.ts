@@ -3,7 +3,7 @@
  * with trees, quays stand as high as fixed bodies, buildings and pontoons have heights that are usual.
  */
 import { InstancedMesh, Matrix4, Mesh, Quaternion, ShapeUtils, Vector2, Vector3 } from "three";
-import { CONCRETE, QUAY_M, area2, inset, lid } from "./berth";
+import { CONCRETE, QUAY_M, area2, inset, isInside, lid } from "./berth";
 import { geometryOf } from "./fenders";
 import { chance } from "./fittings";
 import { type Shared, paintwork } from "./paintwork";
@@ -33,16 +33,6 @@ export function width(ring: Pair[]): number {
     return sum + Math.hypot(b[0] - a[0], b[1] - a[1]);
   }, 0);
   return around > 0 ? Math.abs(area2(ring)) / around : 0;
-}
-
-export function isInside(ring: Pair[], [n, e]: Pair): boolean {
-  let inside = false;
-  ring.forEach((a, i) => {
-    const b = ring[(i + 1) % ring.length] ?? a;
-    if (a[1] > e !== b[1] > e && n < ((b[0] - a[0]) * (e - a[1])) / (b[1] - a[1]) + a[0])
-      inside = !inside;
-  });
-  return inside;
 }
 
 /** Distance of a place from a ring [m]. */

@@ -20,7 +20,7 @@ import {
 import { type Arrangement, type Vessel, arrangementOf } from "./arrangement";
 import { type Attitude, LEVEL, aim, stand } from "./aim";
 import { type Triple, aboard, toPicture } from "./axes";
-import { QUAY_M, STEM_M, bollard, fixedParts } from "./berth";
+import { QUAY_M, STEM_M, bollard, fixedParts, quay, quaysOf } from "./berth";
 import { catenary, weightOf } from "./catenary";
 import { type Seat, seatAtBollard, seatOn } from "./eyes";
 import { Fenders, geometryOf } from "./fenders";
@@ -191,7 +191,8 @@ export class Picture {
       const vessel = hello.vessels.findIndex(({ body }) => body === i);
       if (fixed) {
         const parts = new Solids();
-        fixedParts(outline, cut, parts);
+        if (outline.length > 0) fixedParts(outline, cut, parts);
+        else for (const ring of this.quays(hello, i)) quay(ring, cut, parts);
         const mesh = new Mesh(geometryOf(parts), concrete);
         mesh.receiveShadow = mesh.castShadow = true;
         group.add(mesh);
@@ -227,7 +228,9 @@ export class Picture {
     );
     const fixed = hello.bodies.flatMap(({ fixed, outline }, i): Pair[][] => {
       const on = bodies[i];
-      return fixed && on ? [outline.map((at) => onEarth(on, at))] : [];
+      if (!fixed || !on) return [];
+      const rings = outline.length > 0 ? [outline] : this.quays(hello, i);
+      return rings.map((ring) => ring.map((at) => onEarth(on, at)));
     });
     const { meshes } = land(
       hello,
@@ -267,6 +270,14 @@ export class Picture {
       lamps: underWay(arrangement, false),
       anchored: atAnchor(arrangement),
     };
+  }
+
+  /** The quays of a shore, which has no outline in the messages. */
+  private quays({ fenders, bollards }: Hello, shore: number): Pair[][] {
+    return quaysOf(
+      fenders.filter(({ body }) => body === shore),
+      bollards.filter(({ body }) => body === shore).map(({ at_m }) => at_m),
+    );
   }
 
   /** Bollards, and lamps along quays. */
