@@ -247,6 +247,16 @@ fn a_harbour_on_a_chart_is_a_good_scenario() {
 }
 
 #[test]
+fn serve_says_error_once_for_a_mistake_in_a_scenario() {
+    let place = Workplace::new("serve-mistake");
+    place.write("bad.toml", b"[time]\nstep = 1\nduration = 1\n[body.a]\nmas = 1\n");
+    let refused = place.run(&["serve", "bad.toml", "--port", "0"]);
+    assert_eq!(refused.code, 2, "{}", refused.stderr);
+    assert!(refused.stderr.starts_with("error: `body.a.mas` is not a key"), "{}", refused.stderr);
+    assert_eq!(refused.stderr.matches("error:").count(), 1, "{}", refused.stderr);
+}
+
+#[test]
 fn completions_and_manual_pages_know_every_command() {
     let place = Workplace::new("man");
     let help = place.run(&["--help"]).stdout;

@@ -323,7 +323,7 @@ pub(crate) fn open(path: &Path, set: &[String], watch: Watch<'_>) -> Result<Open
     }
     let text = read_text(path).map_err(|why| format!("cannot read {why}"))?;
     let (source, scenario) = Source::collect(&name_of(path), text, set.to_vec(), beside(path))
-        .map_err(|e| e.to_string())?;
+        .map_err(|e| e.to_string().trim_start_matches("error: ").to_owned())?;
     if scenario.setup.world.vessels.is_empty() {
         return Err(format!(
             "{}: the scenario has no vessel that could be steered",
