@@ -218,7 +218,9 @@ test("she is made fast, the exercise is reached, and the report has the plan", a
     await pilot.getByRole("button", { name: `Send ${line} ashore` }).click();
   }
   for (const [line, bollard] of Object.entries(BOLLARDS))
-    await row(line).getByText(`fast at ${bollard}`).waitFor({ timeout: 150_000 });
+    await row(line)
+      .getByText(`fast at ${bollard.replaceAll("_", " ")}`)
+      .waitFor({ timeout: 150_000 });
   await pilot.getByRole("tab", { name: "Exercise" }).click();
   await pilot.getByText(/^Exercise finished: goal reached at/).waitFor({ timeout: 90_000 });
   await pilot.screenshot({ path: join(SHOTS, "inbound-all-fast.png") });
