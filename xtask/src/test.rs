@@ -247,8 +247,18 @@ fn doc_tests() -> Result<Done, String> {
     Ok(Done::Good)
 }
 
+/// Size limit of the program as `cargo build --release` makes it (bytes).
+const PROGRAM_BYTES: u64 = 35_000_000;
+
 fn release_built() -> Result<Done, String> {
-    built::program("release").map(|_| Done::Good)
+    let program = built::program("release")?;
+    let size = std::fs::metadata(&program).map_err(|e| format!("{}: {e}", program.display()))?;
+    println!("the program has {:.1} MB", size.len() as f64 / 1e6);
+    // Programs for other systems have another size.
+    if cfg!(target_os = "linux") && size.len() > PROGRAM_BYTES {
+        return Err(format!("the program is larger than {} MB", PROGRAM_BYTES / 1_000_000));
+    }
+    Ok(Done::Good)
 }
 
 fn documentation() -> Result<Done, String> {

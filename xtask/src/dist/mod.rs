@@ -16,6 +16,7 @@ mod publish;
 mod python;
 mod release;
 mod shell_files;
+mod sources;
 mod tag;
 mod tried;
 
@@ -256,6 +257,7 @@ fn cheap() -> Result<Done, String> {
     licences("fenderline", &folder.join("program"), &triples)?;
     licences("fenderline-capi", &folder.join("c"), &triples)?;
     publish::crates(false)?;
+    sources::in_packages()?;
     version()?;
     Ok(Done::Good)
 }
