@@ -63,6 +63,9 @@ const metres = (text = "–"): number | null =>
 
 const press = (name: string) => pilot.getByRole("button", { name, exact: true }).click();
 
+/** The turn from one direction to another [deg], positive to starboard; 0 where a direction is not shown. */
+const turn = (from: number, to: number): number => ((to - from + 540) % 360) - 180 || 0;
+
 /** Sets the course to keep, by its buttons. */
 async function steer(wanted: number): Promise<void> {
   let { course } = await read(pilot);
@@ -97,10 +100,10 @@ test("she goes from the sea buoy through the bend to a stop off the berth, insid
   await press("Keep speed");
   const begun = Date.now();
   let [worst, wheel, turningAt, atBend] = [0, Infinity, "", false];
-  let stopping = false;
+  let [stopping, drift] = [false, 0];
   for (;;) {
     expect(Date.now() - begun, "she is too slow").toBeLessThan(LONGEST_S * 1000);
-    const { values } = await read(pilot);
+    const { values, course } = await read(pilot);
     // After the end of the plan there is none.
     const off = (Number.parseFloat(values.XTD ?? "") || 0) * (values.XTD?.endsWith("P") ? -1 : 1);
     worst = Math.max(worst, Math.abs(off));
@@ -110,7 +113,13 @@ test("she goes from the sea buoy through the bend to a stop off the berth, insid
     if (wheel < 150 && now > wheel) turningAt = next;
     wheel = now;
     const leg = Number.parseFloat((turningAt === next && values.THEN) || values.LEG || "");
-    if (!stopping) await steer(Math.round(leg + Math.max(-8, Math.min(8, -0.2 * off))));
+    // The stream sets her across the channel: on a steady heading she heads up by the angle between heading and course
+    // over ground.
+    const head = Number.parseFloat(values.HDG ?? "");
+    const set = turn(Number.parseFloat(values.COG ?? ""), head);
+    if (Math.abs(turn(course, head)) < 3) drift += 0.2 * (set - drift);
+    const back = Math.max(-8, Math.min(8, -0.2 * off));
+    if (!stopping) await steer((Math.round(leg + back + drift) + 360) % 360);
     if (next === "Basin" && !atBend) {
       atBend = true;
       await pilot.screenshot({ path: join(SHOTS, "inbound-bend.png") });

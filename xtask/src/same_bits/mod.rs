@@ -12,7 +12,7 @@ use self::targets::Target;
 use crate::command::run_quietly;
 
 /// The scenarios that every target runs, with keys that shorten some of them, because QEMU is ten times slower.
-const CASES: [&str; 12] = [
+const CASES: [&str; 13] = [
     // The paper's method.
     "scenarios/paper/experiment_2_4kn.toml",
     "scenarios/paper/experiment_1_step_2s.toml",
@@ -26,6 +26,8 @@ const CASES: [&str; 12] = [
     "scenarios/berth/alongside_with_two_tugs.toml",
     "scenarios/berth/two_ships_on_pneumatic_fenders.toml",
     "scenarios/environment/squat_and_a_bank.toml",
+    // A survey and a chart, their banks, and a current by place.
+    "scenarios/harbours/bend.toml",
     // Waves.
     "scenarios/environment/rolling_in_a_beam_sea.toml",
     // Lines, a squall, gusts.
