@@ -29,8 +29,8 @@ BREAKWATER, HEAD = (-912.0, -888.0), -760.0
 CELL = 20.0
 WEST, SOUTH, COLUMNS, ROWS = -2200.0, -1900.0, 210, 125
 # The stream sets along the coast, and is slack behind the breakwater (m/s). Eastings and northings between which it changes.
-STREAM, SLACK = 0.5, 0.05
-STREAM_EAST, STREAM_NORTH = (-2400.0, -960.0, -840.0, 2200.0), (-2100.0, -820.0, -660.0, 700.0)
+STREAM, SLACK = 0.35, 0.05
+STREAM_EAST, STREAM_NORTH = (-2400.0, -960.0, -840.0, 2200.0), (-2100.0, -960.0, -560.0, 700.0)
 
 
 def to_segment(x: float, y: float, a: tuple[float, float], b: tuple[float, float]) -> float:

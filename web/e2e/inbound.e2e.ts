@@ -63,8 +63,9 @@ const metres = (text = "–"): number | null =>
 
 const press = (name: string) => pilot.getByRole("button", { name, exact: true }).click();
 
-/** The turn from one direction to another [deg], positive to starboard; 0 where a direction is not shown. */
-const turn = (from: number, to: number): number => ((to - from + 540) % 360) - 180 || 0;
+const DEG = Math.PI / 180;
+/** The turn from one direction to another [deg], positive to starboard. */
+const turn = (from: number, to: number): number => ((to - from + 540) % 360) - 180;
 
 /** Sets the course to keep, by its buttons. */
 async function steer(wanted: number): Promise<void> {
@@ -100,10 +101,10 @@ test("she goes from the sea buoy through the bend to a stop off the berth, insid
   await press("Keep speed");
   const begun = Date.now();
   let [worst, wheel, turningAt, atBend] = [0, Infinity, "", false];
-  let [stopping, drift] = [false, 0];
+  let stopping = false;
   for (;;) {
     expect(Date.now() - begun, "she is too slow").toBeLessThan(LONGEST_S * 1000);
-    const { values, course } = await read(pilot);
+    const { values } = await read(pilot);
     // After the end of the plan there is none.
     const off = (Number.parseFloat(values.XTD ?? "") || 0) * (values.XTD?.endsWith("P") ? -1 : 1);
     worst = Math.max(worst, Math.abs(off));
@@ -113,13 +114,17 @@ test("she goes from the sea buoy through the bend to a stop off the berth, insid
     if (wheel < 150 && now > wheel) turningAt = next;
     wheel = now;
     const leg = Number.parseFloat((turningAt === next && values.THEN) || values.LEG || "");
-    // The stream sets her across the channel: on a steady heading she heads up by the angle between heading and course
-    // over ground.
-    const head = Number.parseFloat(values.HDG ?? "");
-    const set = turn(Number.parseFloat(values.COG ?? ""), head);
-    if (Math.abs(turn(course, head)) < 3) drift += 0.2 * (set - drift);
-    const back = Math.max(-8, Math.min(8, -0.2 * off));
-    if (!stopping) await steer((Math.round(leg + back + drift) + 360) % 360);
+    // The stream that the page shows sets her across the channel: she heads up against it.
+    const [rate = 0, to = 0] = (values.CURR?.match(/[\d.]+/g) ?? []).map(Number);
+    const across =
+      (rate * Math.sin(turn(leg, to) * DEG)) / Math.max(2, Number.parseFloat(values.SOG ?? ""));
+    const drift = Math.asin(across) / DEG;
+    const back = Math.max(-12, Math.min(12, -0.3 * off));
+    // The course keeper gives a degree of rudder for a degree of error: she holds her heading in a shear or at a bank only
+    // with a course ordered beyond it.
+    const wanted = leg + back - drift;
+    const beyond = Math.max(-15, Math.min(15, turn(Number.parseFloat(values.HDG ?? ""), wanted)));
+    if (!stopping) await steer((Math.round(wanted + beyond) + 360) % 360);
     if (next === "Basin" && !atBend) {
       atBend = true;
       await pilot.screenshot({ path: join(SHOTS, "inbound-bend.png") });
@@ -128,7 +133,9 @@ test("she goes from the sea buoy through the bend to a stop off the berth, insid
     const planned = Number.parseFloat(values.PLAN ?? "");
     // She needs a mile to slow down: before the plan's next speed.
     const early = next === "Basin" && (left ?? Infinity) < 700;
-    await go(stopping ? 0 : early ? 3 : planned);
+    // She slows down by a knot at a time: without the propeller's race her rudder holds no heading.
+    const slower = Math.ceil(2 * (Number.parseFloat(values.SOG ?? "") - 1)) / 2;
+    await go(stopping ? 0 : Math.max(slower, early ? 3 : planned));
     if (stopping && Number.parseFloat(values.SOG ?? "") < 0.3) break;
     await pilot.waitForTimeout(300);
   }
