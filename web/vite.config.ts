@@ -1,8 +1,10 @@
 import { defineConfig } from "vitest/config";
+import { openbridge } from "./scripts/openbridge.ts";
 
 // The page asks the server that it came from; in development that is Vite, which hands the socket on to `fenderline serve`.
 export default defineConfig({
   base: "./",
+  plugins: [openbridge()],
   build: { target: "es2022", assetsInlineLimit: 0, reportCompressedSize: true },
   server: { host: "127.0.0.1", proxy: { "/live": { target: "ws://127.0.0.1:8090", ws: true } } },
   test: {

@@ -1,4 +1,5 @@
 import { defineConfig } from "vite";
+import { openbridge } from "./scripts/openbridge.ts";
 
 const file = (path: string) => new URL(path, import.meta.url).pathname;
 
@@ -6,6 +7,7 @@ const file = (path: string) => new URL(path, import.meta.url).pathname;
 export default defineConfig({
   root: file("run"),
   base: "./",
+  plugins: [openbridge()],
   resolve: { alias: { fenderline: file("../crates/wasm/npm/dist/index.js") } },
   build: {
     target: "es2022",

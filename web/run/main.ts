@@ -1,3 +1,4 @@
+import "@oicl/openbridge-webcomponents/dist/openbridge.css";
 import "../src/style/index.css";
 import "./style/page.css";
 import { Workbench } from "./workbench";

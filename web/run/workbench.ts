@@ -3,7 +3,7 @@ import type { ScenarioInfo } from "fenderline";
 import { Pane, type Share } from "../src/bridge/pane";
 import { History } from "../src/history";
 import { Live, structure } from "../src/live";
-import { PALETTE_NAMES, type PaletteName, applyPalette } from "../src/palette";
+import { THEMES, type ThemeName, applyPalette } from "../src/palette";
 import type { Frame, Hello } from "../src/protocol";
 import { button, h, setAttribute, setClass, setText } from "../src/ui/dom";
 import { TabRow } from "../src/ui/tab_row";
@@ -117,8 +117,8 @@ export class Workbench {
       this.timeline.root,
     );
     this.stage.append(this.aside, this.planBox, this.panel);
-    const kept = localStorage.getItem("palette") as PaletteName | null;
-    this.setPalette(kept && PALETTE_NAMES.includes(kept) ? kept : "day");
+    const kept = localStorage.getItem("palette") as ThemeName | null;
+    this.setPalette(kept && THEMES.includes(kept) ? kept : "day");
     const wide = matchMedia(WIDE);
     wide.addEventListener("change", () => this.buildTabs());
     this.buildTabs();
@@ -467,9 +467,10 @@ export class Workbench {
     setClass(this.banner, "hidden", text === "");
   }
 
-  private setPalette(name: PaletteName): void {
+  private setPalette(name: ThemeName): void {
     applyPalette(name);
-    this.pane.setPalette(name);
+    // The view out of the window is as bright by day as it can be.
+    this.pane.setPalette(name === "bright" ? "day" : name);
     localStorage.setItem("palette", name);
     const shown = name.replace(/^./, (c) => c.toUpperCase());
     setText(this.paletteButton, shown);
@@ -477,9 +478,7 @@ export class Workbench {
   }
 
   private nextPalette(): void {
-    const now = document.documentElement.dataset.palette as PaletteName;
-    this.setPalette(
-      PALETTE_NAMES[(PALETTE_NAMES.indexOf(now) + 1) % PALETTE_NAMES.length] ?? "day",
-    );
+    const now = document.documentElement.dataset.palette as ThemeName;
+    this.setPalette(THEMES[(THEMES.indexOf(now) + 1) % THEMES.length] ?? "day");
   }
 }

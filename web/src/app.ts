@@ -15,7 +15,7 @@ import { ON_PAGE, isOrder, unknownOrders } from "./orders";
 import type { Page } from "./page";
 import { PastRequests } from "./past";
 import { Placing } from "./placing";
-import { PALETTE_NAMES, type PaletteName, applyPalette } from "./palette";
+import { THEMES, type ThemeName, applyPalette } from "./palette";
 import {
   type Action,
   type Alarm,
@@ -160,8 +160,8 @@ export class App implements Page {
     root.replaceChildren(bar, this.banner, this.stage, this.strip, this.help.root);
     // One of several windows that make a panorama shows the view alone.
     setClass(root, "view-alone", this.pane.asked === "alone");
-    const kept = localStorage.getItem("palette") as PaletteName | null;
-    this.setPalette(kept && PALETTE_NAMES.includes(kept) ? kept : "day");
+    const kept = localStorage.getItem("palette") as ThemeName | null;
+    this.setPalette(kept && THEMES.includes(kept) ? kept : "day");
     this.connection = new Connection(url, {
       message: (message) => this.heard(message),
       link: (state, why) => this.linked(state, why),
@@ -536,9 +536,10 @@ export class App implements Page {
     this.stage.classList.toggle("panel-only");
   }
 
-  private setPalette(name: PaletteName): void {
+  private setPalette(name: ThemeName): void {
     applyPalette(name);
-    this.pane.setPalette(name);
+    // The view out of the window is as bright by day as it can be.
+    this.pane.setPalette(name === "bright" ? "day" : name);
     localStorage.setItem("palette", name);
     const shown = name.replace(/^./, (c) => c.toUpperCase());
     setText(this.paletteButton, shown);
@@ -546,10 +547,8 @@ export class App implements Page {
   }
 
   private nextPalette(): void {
-    const now = document.documentElement.dataset.palette as PaletteName;
-    this.setPalette(
-      PALETTE_NAMES[(PALETTE_NAMES.indexOf(now) + 1) % PALETTE_NAMES.length] ?? "day",
-    );
+    const now = document.documentElement.dataset.palette as ThemeName;
+    this.setPalette(THEMES[(THEMES.indexOf(now) + 1) % THEMES.length] ?? "day");
   }
 
   private alarmed(open: number, worst: Alarm["level"] | null): void {
@@ -666,7 +665,7 @@ export class App implements Page {
         text: "View out of the window, or the plan",
         run: () => this.share(this.shared === "plan" ? "view" : "plan"),
       },
-      { key: "b", text: "Day, dusk, night", run: () => this.nextPalette() },
+      { key: "b", text: "Bright, day, dusk, night", run: () => this.nextPalette() },
       { key: "?", text: "This help", run: () => this.help.open(this.keys()) },
     ];
     const { trialView } = this;

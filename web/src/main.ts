@@ -1,4 +1,5 @@
 import { App } from "./app";
+import "@oicl/openbridge-webcomponents/dist/openbridge.css";
 import "./style/index.css";
 import { h } from "./ui/dom";
 

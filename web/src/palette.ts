@@ -1,8 +1,15 @@
-/** Day, dusk and night palettes. The document uses them as custom properties, canvases by name. */
+/**
+ * The palettes bright, day, dusk and night. Surfaces, texts, buttons and alerts are OpenBridge's; the colours of the chart, and of
+ * texts that tell port from starboard or good from bad, are ours. The document uses them as custom properties, canvases by name.
+ */
 
+/** The palettes of the view out of the window. */
 export type PaletteName = "day" | "dusk" | "night";
 
-export interface Palette {
+/** The palettes of the page: bright is for a screen in the sun. */
+export type ThemeName = "bright" | PaletteName;
+
+interface Colours {
   bg: string;
   panel: string;
   edge: string;
@@ -50,8 +57,14 @@ export interface Palette {
   trial: string;
   trial_text: string;
   ok: string;
+  /** Texts and edges of what needs care. */
   caution: string;
+  /** What fills an area that warns, and what is written on it. */
+  caution_fill: string;
+  caution_text: string;
+  /** Texts and edges of what is wrong. */
   alarm: string;
+  alarm_fill: string;
   alarm_text: string;
   port: string;
   starboard: string;
@@ -64,18 +77,38 @@ export interface Palette {
   fog: string;
 }
 
-/** Day is for the sun: black on white, saturated signals. Night keeps eyes dark-adapted: red on black, no white or blue. */
-export const PALETTES: Record<PaletteName, Palette> = {
+export type ColourName = keyof Colours;
+
+export interface Palette extends Colours {
+  isDark: boolean;
+}
+
+/** The custom properties of OpenBridge that some colours are. */
+export const OPENBRIDGE = {
+  bg: "--container-backdrop-color",
+  panel: "--container-background-color",
+  edge: "--border-divider-color",
+  text: "--element-active-color",
+  dim: "--element-neutral-color",
+  button: "--normal-enabled-background-color",
+  button_edge: "--normal-enabled-border-color",
+  chosen: "--selected-enabled-background-color",
+  chosen_text: "--on-selected-active-color",
+  caution: "--alert-warning-text-color",
+  caution_fill: "--alert-warning-color",
+  caution_text: "--on-warning-active-color",
+  alarm_fill: "--alert-alarm-color",
+  alarm_text: "--on-alarm-active-color",
+} as const satisfies Partial<Record<keyof Colours, string>>;
+
+type Own = Omit<Colours, keyof typeof OPENBRIDGE>;
+
+/**
+ * Texts in our colours have a contrast of 4.5:1 on OpenBridge's surfaces; OpenBridge's own red and green, made for fills, have
+ * less.
+ */
+const OWN: Record<PaletteName, Own> = {
   day: {
-    bg: "#e4e9ed",
-    panel: "#ffffff",
-    edge: "#9fadb8",
-    text: "#05101a",
-    dim: "#3c4a56",
-    button: "#eef2f5",
-    button_edge: "#71818e",
-    chosen: "#0b4f8a",
-    chosen_text: "#ffffff",
     water: "#eef6fb",
     unknown: "#d4d9dc",
     safe: "#d3e7f5",
@@ -102,9 +135,7 @@ export const PALETTES: Record<PaletteName, Palette> = {
     trial: "#0057c8",
     trial_text: "#ffffff",
     ok: "#0a7a33",
-    caution: "#a45600",
     alarm: "#c8102e",
-    alarm_text: "#ffffff",
     port: "#c8102e",
     starboard: "#0a7a33",
     line: "#23313d",
@@ -115,15 +146,6 @@ export const PALETTES: Record<PaletteName, Palette> = {
     fog: "#8d9aa59c",
   },
   dusk: {
-    bg: "#0b1116",
-    panel: "#141d25",
-    edge: "#354653",
-    text: "#d3dde5",
-    dim: "#93a5b3",
-    button: "#1e2a34",
-    button_edge: "#4b6070",
-    chosen: "#3d87bd",
-    chosen_text: "#04121d",
     water: "#0b1a26",
     unknown: "#15191c",
     safe: "#0f2536",
@@ -149,12 +171,10 @@ export const PALETTES: Record<PaletteName, Palette> = {
     path: "#e060a8",
     trial: "#5ab0ff",
     trial_text: "#05101a",
-    ok: "#3cb869",
-    caution: "#e8a317",
-    alarm: "#ff5252",
-    alarm_text: "#14060a",
-    port: "#ff5252",
-    starboard: "#3cb869",
+    ok: "#6fcf9c",
+    alarm: "#ff9a92",
+    port: "#ff9a92",
+    starboard: "#6fcf9c",
     line: "#b9c7d2",
     force: "#c59bf0",
     wind: "#6fb4e6",
@@ -163,15 +183,6 @@ export const PALETTES: Record<PaletteName, Palette> = {
     fog: "#5a666f9c",
   },
   night: {
-    bg: "#000000",
-    panel: "#080201",
-    edge: "#481610",
-    text: "#ee7436",
-    dim: "#e05a3c",
-    button: "#150504",
-    button_edge: "#65201a",
-    chosen: "#4e150d",
-    chosen_text: "#ee7436",
     water: "#030000",
     unknown: "#0d0a07",
     safe: "#0c0302",
@@ -198,9 +209,7 @@ export const PALETTES: Record<PaletteName, Palette> = {
     trial: "#a58a00",
     trial_text: "#000000",
     ok: "#838f26",
-    caution: "#dc8200",
     alarm: "#ff2d1a",
-    alarm_text: "#000000",
     port: "#e84a34",
     starboard: "#838f26",
     line: "#e05a3c",
@@ -212,20 +221,47 @@ export const PALETTES: Record<PaletteName, Palette> = {
   },
 };
 
-export const PALETTE_NAMES: PaletteName[] = ["day", "dusk", "night"];
+export const THEMES: ThemeName[] = ["bright", "day", "dusk", "night"];
 
-/** Sets the document's palette. Canvases read `data-palette` on the root. */
-export function applyPalette(name: PaletteName): void {
-  const root = document.documentElement;
-  root.dataset.palette = name;
-  root.style.colorScheme = name === "day" ? "light" : "dark";
-  for (const [key, colour] of Object.entries(PALETTES[name]))
-    root.style.setProperty(`--${key.replace("_", "-")}`, colour);
-  document.querySelector('meta[name="theme-color"]')?.setAttribute("content", PALETTES[name].bg);
+/** `rgb(r, g, b)` as `#rrggbb`. */
+const hex = (colour: string): string =>
+  colour.startsWith("#")
+    ? colour
+    : `#${[...colour.matchAll(/\d+/g)]
+        .slice(0, 3)
+        .map(([part]) => Number(part).toString(16).padStart(2, "0"))
+        .join("")}`;
+
+/** The palette of that name. `read`: the value of a custom property of OpenBridge. */
+export function paletteOf(name: ThemeName, read: (property: string) => string): Palette {
+  const theirs = Object.entries(OPENBRIDGE).map(([key, property]) => [key, hex(read(property))]);
+  return {
+    ...OWN[name === "bright" ? "day" : name],
+    ...(Object.fromEntries(theirs) as Record<keyof typeof OPENBRIDGE, string>),
+    isDark: name === "dusk" || name === "night",
+  };
 }
 
+let shown: Palette | null = null;
+
+/** Sets the document's palette. */
+export function applyPalette(name: ThemeName): void {
+  const root = document.documentElement;
+  root.dataset.palette = name;
+  root.dataset.obcTheme = name;
+  const style = getComputedStyle(root);
+  const { isDark, ...colours } = paletteOf(name, (property) => style.getPropertyValue(property));
+  shown = { ...colours, isDark };
+  root.style.colorScheme = isDark ? "dark" : "light";
+  for (const [key, colour] of Object.entries(colours))
+    root.style.setProperty(`--${key.replace("_", "-")}`, colour);
+  document.querySelector('meta[name="theme-color"]')?.setAttribute("content", colours.bg);
+}
+
+/** The document's palette, for canvases. */
 export function palette(): Palette {
-  return PALETTES[(document.documentElement.dataset.palette ?? "day") as PaletteName];
+  if (!shown) throw new Error("the page sets its palette before it draws");
+  return shown;
 }
 
 function mixed(a: string, b: string, share: number): string {

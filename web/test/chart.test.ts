@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 import { isLit } from "../src/character";
 import { depthColour, limits } from "../src/draw/depths";
 import { levelAt, thinned, written } from "../src/draw/soundings";
-import { PALETTES } from "../src/palette";
+import { PALETTES } from "./palettes";
 import type { Pair } from "../src/protocol";
 
 /** The seconds of darkness and light of a character, as pairs of light and its length, by tenths of a second. */

@@ -1,6 +1,6 @@
 /** Draws the chart behind ships and quays: depths, coast, quays, fairways, bridges, dangers, marks, lights, names. */
 import { type Camera, toScreen } from "../geometry";
-import { PALETTES, type Palette } from "../palette";
+import type { Palette } from "../palette";
 import type { ChartInfo, Pair } from "../protocol";
 import { fixed } from "../units";
 import { MARK_PX, drawMark } from "./buoys";
@@ -182,7 +182,7 @@ export function drawChartMarks(scene: Scene): void {
       if (isLamp)
         drawLight(to, on, feature, camera.up_rad, colours, {
           t_s: scene.t_s,
-          isDark: colours !== PALETTES.day,
+          isDark: colours.isDark,
         });
       else if (feature.kind === "buoy" || feature.kind === "beacon")
         drawMark(to, on, feature, colours);

@@ -2,7 +2,7 @@
 import type uPlot from "uplot";
 import type { History, Sample } from "../history";
 import { palette } from "../palette";
-import type { Palette } from "../palette";
+import type { ColourName } from "../palette";
 import { choices, h, setAttribute, setClass } from "../ui/dom";
 import type { View } from "./view";
 
@@ -11,7 +11,7 @@ interface Strip {
   series: {
     label: string;
     key: Exclude<keyof Sample, "t_s">;
-    colour: keyof Palette;
+    colour: ColourName;
     dash?: number[];
   }[];
   least: [number, number];
