@@ -9,6 +9,12 @@ import type { Plugin } from "vite";
 
 const PACKAGE = "@oicl/openbridge-webcomponents/dist/";
 const SHEET = /openbridge-webcomponents\/dist\/openbridge\.css$/;
+const WATCH = /openbridge-webcomponents\/dist\/navigation-instruments\/watch\/watch\.js$/;
+/**
+ * In 1.0.1 the dials with an arc (rudder, rate of turn, speed) round an arc of radius 0, which gives no number and an error in
+ * the browser's log. A radius as that of the rounding gives a number; the arc bounds only dots that this page does not show.
+ */
+const NO_NUMBER = { wrong: "r: 0,", right: "r: 8," };
 /** Where this page names components and custom properties. */
 const OURS = [
   "../src/instruments/components.ts",
@@ -106,12 +112,22 @@ export function pruned(css: string, names: Iterable<string>): string {
     .join("\n");
 }
 
+function mended(code: string): string {
+  const parts = code.split(NO_NUMBER.wrong);
+  if (parts.length !== 2) throw new Error("OpenBridge's watch.js is another: look at NO_NUMBER");
+  return parts.join(NO_NUMBER.right);
+}
+
 export function openbridge(): Plugin {
   return {
     name: "openbridge",
     enforce: "pre",
+    // Vite's own bundle of packages, in development, would not come by here.
+    config: () => ({ optimizeDeps: { exclude: ["@oicl/openbridge-webcomponents"] } }),
     transform(code, id) {
-      if (!SHEET.test(id.split("?")[0] ?? "")) return null;
+      const [file = ""] = id.split("?");
+      if (WATCH.test(file)) return { code: mended(code), map: null };
+      if (!SHEET.test(file)) return null;
       const seen = new Set<string>();
       const ours = OURS.map((name) => new URL(name, import.meta.url).pathname);
       return {

@@ -1,5 +1,6 @@
 /** What the control strip is made of. */
 import type { Page } from "../page";
+import { instrument } from "../instruments/instrument";
 import type { Control, Frame, Hello } from "../protocol";
 import { button, h, setClass, setText } from "../ui/dom";
 
@@ -26,7 +27,9 @@ export interface Group {
 
 /** Takes and gives back one helm and shows its holder. It covers the controls until the helm is taken. */
 export class ClaimBar {
-  private readonly who = h("span", { class: "who" });
+  private readonly text = h("span");
+  private readonly badge = instrument("obc-badge-command", { large: true });
+  private readonly who = h("span", { class: "who" }, this.badge.root, this.text);
   private readonly release: HTMLButtonElement;
   /** Over the controls. */
   readonly root: HTMLElement;
@@ -42,6 +45,9 @@ export class ClaimBar {
     this.release = button(`Release ${what}`, () => void page.order({ do: "release", control }), {
       class: "release",
     });
+    this.release.prepend(
+      instrument("obc-badge-command", { status: "in-command", large: true }).root,
+    );
     this.root = h("div", { class: "claim" }, take, this.who);
     this.held = this.release;
   }
@@ -58,8 +64,10 @@ export class ClaimBar {
     setClass(this.root, "hidden", mine);
     // A page may command a free helm without taking it: then there is nothing to give back.
     setClass(this.release, "hidden", !mine || !claim?.holder || !claim.connected);
+    const isTaken = (claim?.holder ?? null) !== null && claim?.connected === true;
+    this.badge.show({ status: isTaken ? "no-command" : "command-available" });
     setText(
-      this.who,
+      this.text,
       claim?.holder
         ? `${claim.holder} has ${this.what}${claim.connected ? "" : ", but has gone"}`
         : `Nobody has ${this.what} now.`,

@@ -2,6 +2,7 @@
 import { type Card, type Order, buttonsOn, limits } from "../orders";
 import type { Page } from "../page";
 import type { Frame, Hello, VesselInfo, VesselNow } from "../protocol";
+import { Bar } from "../ui/bar";
 import { button, h, setAttribute, setText } from "../ui/dom";
 import { Slider } from "../ui/slider";
 import { KNOT_MPS, fixed, heading, percent, sided, toDegrees, toKnots, toRadians } from "../units";
@@ -219,13 +220,13 @@ export class Helm implements Group {
     const stop = all.filter((d) => d.share === 0);
     const ahead = all.filter((d) => d.share > 0);
     const astern = all.filter((d) => d.share < 0).toReversed();
-    const gauge = h("div", { class: "gauge", "aria-hidden": "true" });
+    const gauge = new Bar(-100, 100, true, 8);
     const keeper = this.speedKeeper(vessel);
     const root = h(
       "section",
       { class: "card engine", "aria-label": "Engine" },
       h("div", { class: "card-head" }, h("h3", {}, "Engine"), figure, ordered),
-      h("div", { class: "gauge-track" }, gauge),
+      gauge.root,
       h(
         "div",
         { class: "telegraph" },
@@ -241,15 +242,14 @@ export class Helm implements Group {
     this.parts.push({
       enable: (on) => {
         for (const each of all) each.root.disabled = !on;
+        gauge.enable(on);
         keeper.enable(on);
       },
       show: (now) => {
         const { order, now: actual } = now.shaft;
         setText(figure, `${fixed(actual * full_rps * 60, 0)} rpm`);
         setText(ordered, `order ${percent(order)}`);
-        gauge.style.left = `${50 + Math.min(0, actual) * 50}%`;
-        gauge.style.width = `${Math.abs(actual) * 50}%`;
-        gauge.classList.toggle("port", actual < 0);
+        gauge.show(actual * 100, order * 100);
         for (const each of all)
           setAttribute(each.root, "aria-pressed", String(Math.abs(each.share - order) < 0.01));
         keeper.show(now);

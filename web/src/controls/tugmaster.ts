@@ -55,7 +55,7 @@ export class VectorHelm implements Group {
     this.range = inPercent(hello.limits.tug_power);
     this.claim = new ClaimBar(page, { tug: info.name }, spoken(info.name));
     this.held = this.claim.held;
-    this.ring = new Ring(`Direction of ${info.name}'s force on the ship`, "ship", () => {
+    this.ring = new Ring(`Direction of ${info.name}'s force on the ship`, "thrust", () => {
       this.inWords = false;
       this.send(true);
     });
@@ -105,7 +105,7 @@ export class VectorHelm implements Group {
         h(
           "p",
           { class: "note" },
-          "The ring is about the ship, her bow up: the arrow is the force on her.",
+          "The ring is about the ship, her bow up: the bar is the force on her, the marks are the order.",
         ),
       ),
     );
@@ -203,6 +203,7 @@ export class VectorHelm implements Group {
     this.ring.draw(
       this.now?.direction_rad ?? 0,
       (this.now?.force_n ?? 0) / this.info.bollard_pull_n,
+      (this.now?.order_n ?? 0) / this.info.bollard_pull_n,
     );
   }
 }
@@ -250,7 +251,7 @@ export class AzimuthHelm implements Group {
       (p) => this.all((i) => this.send(i, p / 100, null, false)),
     );
     this.units = info.azimuths.map((unit, i) => ({
-      ring: new Ring(`Direction of the ${unit.name} unit's thrust`, "tug", (rad) => {
+      ring: new Ring(`Direction of the ${unit.name} unit's thrust`, "thrust", (rad) => {
         this.each(i, (unit) => {
           this.units[unit]?.ring.follow(rad);
           this.send(unit, null, rad, true);
@@ -306,7 +307,7 @@ export class AzimuthHelm implements Group {
           h(
             "p",
             { class: "note" },
-            "Rings: the tug, her bow up; the knob is where the thrust goes.",
+            "Rings: the tug, her bow up; the bar is where the thrust goes, the marks are the order.",
           ),
         ),
       ),
@@ -410,7 +411,7 @@ export class AzimuthHelm implements Group {
   draw(): void {
     this.units.forEach(({ ring }, i) => {
       const state = this.now?.azimuths[i];
-      ring.draw(state?.direction_rad ?? 0, state?.power ?? 0);
+      ring.draw(state?.direction_rad ?? 0, state?.power ?? 0, state?.power_order ?? 0);
     });
   }
 }

@@ -10,4 +10,11 @@ import "@oicl/openbridge-webcomponents/dist/navigation-instruments/rot-sector/ro
 import "@oicl/openbridge-webcomponents/dist/navigation-instruments/rudder/rudder.js";
 import "@oicl/openbridge-webcomponents/dist/navigation-instruments/speed-gauge/speed-gauge.js";
 import "@oicl/openbridge-webcomponents/dist/navigation-instruments/thruster/thruster.js";
-import "@oicl/openbridge-webcomponents/dist/navigation-instruments/watch/watch.js";
+import { ObcWatch } from "@oicl/openbridge-webcomponents/dist/navigation-instruments/watch/watch.js";
+
+// A dial without a size, in a tab that is not shown, would compute with a scale of zero. It draws itself when it gets a size.
+Object.assign(ObcWatch.prototype, {
+  shouldUpdate(this: ObcWatch): boolean {
+    return this.clientWidth > 0 && this.clientHeight > 0;
+  },
+});

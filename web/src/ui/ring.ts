@@ -1,36 +1,108 @@
 /** A ring that sets a direction, by touch, by dragging, or by the arrow keys in steps of five degrees. */
-import { FONT, arrow, polygon, stroke } from "../draw/marks";
-import { palette } from "../palette";
-import type { Pair } from "../protocol";
+import { inSteps, instrument } from "../instruments/instrument";
+import { beaufort, currentArrows } from "../instruments/scales";
 import { toDegrees, toRadians, wrapped } from "../units";
-import { canvas, setAttribute } from "./dom";
+import { h, setAttribute } from "./dom";
 
 const STEP_DEG = 5;
 
+/** What a ring shows: a thrust or a force about the bow, its share as strength; or wind or current about north, in m/s. */
+export type Subject = "thrust" | "wind" | "current";
+
+interface State {
+  /** Direction to which the thrust or the current goes, or from which the wind comes. */
+  actual_rad: number;
+  strength: number;
+  ordered_rad: number;
+  /** The order of a thrust. */
+  ordered_strength: number | undefined;
+  /** The ring may be turned, and is being turned. */
+  enabled: boolean;
+  touching: boolean;
+}
+
+/** OpenBridge's instrument in the ring. */
+interface Dial {
+  root: HTMLElement;
+  show(state: State): void;
+}
+
+function thrustDial(): Dial {
+  const { root, show } = instrument("obc-azimuth-thruster", {
+    singleDirection: true,
+    starboardPortIndicator: true,
+    secondaryTickmarkInterval: 45,
+    tertiaryTickmarkInterval: 15,
+    tickmarkStyle: "enhanced",
+  });
+  return {
+    root,
+    show: (state) =>
+      show({
+        angle: inSteps(toDegrees(state.actual_rad), 0.5),
+        thrust: inSteps(state.strength * 100, 0.5),
+        angleSetpoint: inSteps(toDegrees(state.ordered_rad), 0.5),
+        thrustSetpoint:
+          state.ordered_strength === undefined ? undefined : state.ordered_strength * 100,
+        priority: state.enabled ? "enhanced" : "regular",
+        touching: state.touching,
+      }),
+  };
+}
+
+function weatherDial(subject: "wind" | "current"): Dial {
+  const { root, show } = instrument("obc-watch", {
+    northArrow: true,
+    showLabels: true,
+    crosshairEnabled: true,
+    padding: 56,
+    // Inside of the ring; the current on the side to which it goes, where the order is.
+    windSymbolRadius: 150,
+    currentSymbolRadius: -105,
+  });
+  return {
+    root,
+    show: (state) => {
+      const degrees = inSteps(toDegrees(state.actual_rad), 0.5);
+      show({
+        angleSetpoint: inSteps(toDegrees(state.ordered_rad), 0.5),
+        atAngleSetpoint: Math.abs(wrapped(state.actual_rad - state.ordered_rad)) < toRadians(1),
+        priority: state.enabled ? "enhanced" : "regular",
+        touching: state.touching,
+        ...(subject === "wind"
+          ? { wind: beaufort(state.strength), windFromDirectionDeg: degrees }
+          : { current: currentArrows(state.strength), currentFromDirectionDeg: degrees + 180 }),
+      });
+    },
+  };
+}
+
 export class Ring {
-  private readonly surface;
-  readonly root: HTMLCanvasElement;
+  private readonly dial: Dial;
+  readonly root: HTMLElement;
   private order_rad = 0;
   private enabled = true;
+  private touching = false;
 
-  /** `about`: what its zero is: the bow of the ship, the bow of the tug herself, or north. */
   constructor(
     label: string,
-    private readonly about: "ship" | "tug" | "north",
+    subject: Subject,
     private readonly turn: (rad: number) => void,
   ) {
-    this.surface = canvas(label);
-    this.root = this.surface.root;
-    this.root.classList.add("ring");
-    for (const [name, value] of [
-      ["role", "slider"],
-      ["tabindex", "0"],
-      ["aria-valuemin", "-180"],
-      ["aria-valuemax", "180"],
-      ["aria-valuenow", "0"],
-    ] as const) {
-      this.root.setAttribute(name, value);
-    }
+    this.dial = subject === "thrust" ? thrustDial() : weatherDial(subject);
+    this.root = h(
+      "div",
+      {
+        class: "ring",
+        role: "slider",
+        tabindex: 0,
+        "aria-label": label,
+        "aria-valuemin": -180,
+        "aria-valuemax": 180,
+        "aria-valuenow": 0,
+      },
+      this.dial.root,
+    );
     const point = (event: PointerEvent) => {
       const box = this.root.getBoundingClientRect();
       const raw = Math.atan2(
@@ -42,11 +114,13 @@ export class Ring {
     this.root.addEventListener("pointerdown", (event) => {
       if (!this.enabled) return;
       this.root.setPointerCapture(event.pointerId);
+      this.touching = true;
       point(event);
     });
     this.root.addEventListener("pointermove", (event) => {
       if (this.enabled && this.root.hasPointerCapture(event.pointerId)) point(event);
     });
+    this.root.addEventListener("lostpointercapture", () => (this.touching = false));
     this.root.addEventListener("keydown", (event) => {
       const by = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
       if (by === 0 || !this.enabled) return;
@@ -82,63 +156,15 @@ export class Ring {
     setAttribute(this.root, "aria-disabled", String(!on));
   }
 
-  draw(actual_rad: number, share: number): void {
-    const begun = this.surface.begin();
+  /** Shows the actual direction and strength, and the ordered strength if there is one. */
+  draw(actual_rad: number, strength: number, ordered_strength?: number): void {
     setAttribute(this.root, "aria-valuenow", String(Math.round(toDegrees(this.order_rad))));
     setAttribute(
       this.root,
       "aria-valuetext",
       `${Math.abs(Math.round(toDegrees(this.order_rad)))} degrees ${this.order_rad < 0 ? "port" : "starboard"}`,
     );
-    if (!begun) return;
-    const { to, width, height } = begun;
-    const colours = palette();
-    const [x, y, r] = [width / 2, height / 2, Math.min(width, height) / 2 - 12];
-    const on = (angle: number, far: number): Pair => [
-      x + Math.sin(angle) * far,
-      y - Math.cos(angle) * far,
-    ];
-    to.clearRect(0, 0, width, height);
-    to.beginPath();
-    to.arc(x, y, r, 0, 2 * Math.PI);
-    to.fillStyle = colours.button;
-    to.fill();
-    to.strokeStyle = colours.button_edge;
-    to.lineWidth = 2;
-    to.stroke();
-    for (let degree = 0; degree < 360; degree += 15) {
-      const angle = toRadians(degree);
-      stroke(to, on(angle, r), on(angle, r - (degree % 45 === 0 ? 10 : 5)), colours.dim, 1.5);
-    }
-    if (this.about === "north") {
-      to.fillStyle = colours.text;
-      to.font = `600 14px ${FONT}`;
-      to.textAlign = "center";
-      to.textBaseline = "middle";
-      to.fillText("N", x, y - r + 20);
-    } else {
-      const [long, half] = this.about === "ship" ? [r * 0.5, r * 0.13] : [r * 0.34, r * 0.15];
-      polygon(to, [
-        [x, y - long],
-        [x + half, y - long * 0.6],
-        [x + half, y + long],
-        [x - half, y + long],
-        [x - half, y - long * 0.6],
-      ]);
-      to.fillStyle = this.about === "ship" ? colours.own : colours.tug;
-      to.globalAlpha = 0.5;
-      to.fill();
-      to.globalAlpha = 1;
-    }
-    if (share > 0.005) arrow(to, [x, y], on(actual_rad, Math.max(18, r * share)), colours.force, 6);
-    // The knob: the order.
-    const knob = on(this.order_rad, r - 4);
-    to.beginPath();
-    to.arc(knob[0], knob[1], 13, 0, 2 * Math.PI);
-    to.fillStyle = this.enabled ? colours.chosen : colours.dim;
-    to.fill();
-    to.strokeStyle = colours.text;
-    to.lineWidth = 2;
-    to.stroke();
+    const { order_rad: ordered_rad, enabled, touching } = this;
+    this.dial.show({ actual_rad, strength, ordered_rad, ordered_strength, enabled, touching });
   }
 }

@@ -1,5 +1,9 @@
 /** A slider with two pointers: the thumb is the order, the bar below it the actual value. */
-import { h, setAttribute, setStyle } from "./dom";
+import { Bar } from "./bar";
+import { h, setAttribute } from "./dom";
+
+/** The thumb's middle goes from here to here before the end. */
+const HALF_THUMB_PX = 13;
 
 export interface SliderOptions {
   label: string;
@@ -16,12 +20,13 @@ export interface SliderOptions {
 
 export class Slider {
   private readonly input: HTMLInputElement;
-  private readonly actual = h("div", { class: "actual" });
+  private readonly actual: Bar;
   readonly root: HTMLElement;
   private dragged = false;
 
   constructor(private readonly options: SliderOptions) {
     const { label, least, most, step, marks } = options;
+    this.actual = new Bar(least, most, false, HALF_THUMB_PX);
     this.input = h("input", {
       type: "range",
       min: least,
@@ -40,7 +45,7 @@ export class Slider {
     this.root = h(
       "div",
       { class: "slider" },
-      h("div", { class: "track" }, h("div", { class: "rail" }, this.actual), this.input),
+      h("div", { class: "track" }, this.actual.root, this.input),
       scale,
     );
     this.input.addEventListener("pointerdown", () => (this.dragged = true));
@@ -58,11 +63,7 @@ export class Slider {
   }
 
   show(order: number, actual: number): void {
-    const zero = this.place(Math.max(this.options.least, 0));
-    const now = Math.min(100, Math.max(0, this.place(actual)));
-    setStyle(this.actual, "left", `${Math.min(zero, now).toFixed(1)}%`);
-    setStyle(this.actual, "width", `${Math.abs(now - zero).toFixed(1)}%`);
-    this.actual.classList.toggle("port", now < zero && this.options.least < 0);
+    this.actual.show(actual);
     if (this.dragged) return;
     const text = String(Math.round(order / this.options.step) * this.options.step);
     if (Number(this.input.value) !== Number(text)) this.input.value = text;
@@ -71,5 +72,6 @@ export class Slider {
 
   enable(on: boolean): void {
     this.input.disabled = !on;
+    this.actual.enable(on);
   }
 }

@@ -1,6 +1,7 @@
 /**
  * The server's alarms: active ones, those that wait to be acknowledged, and past events.
  */
+import { type Instrument, instrument } from "../instruments/instrument";
 import type { Page } from "../page";
 import type { Alarm, Frame, Hello, Role, Then } from "../protocol";
 import { button, h, setAttribute, setClass, setText } from "../ui/dom";
@@ -13,6 +14,7 @@ const LATEST_EVENTS = 20;
 
 interface Row {
   row: HTMLElement;
+  icon: Instrument<"obc-alert-icon">;
   time: HTMLElement;
   text: HTMLElement;
   ack: HTMLButtonElement;
@@ -97,8 +99,10 @@ export class Alarms implements View {
     if (!there) {
       const [time, text] = [h("time", {}), h("span", { class: "alarm-text" })];
       const ack = button("Ack", () => this.acknowledge(alarm.key));
+      const icon = instrument("obc-alert-icon");
       there = {
-        row: h("li", {}, time, text, ack),
+        row: h("li", {}, icon.root, time, text, ack),
+        icon,
         time,
         text,
         ack,
@@ -108,6 +112,12 @@ export class Alarms implements View {
       this.noteAlarm(alarm);
     } else if (there.alarm.level === "caution" && alarm.level === "alarm") this.noteAlarm(alarm);
     there.alarm = alarm;
+    // What we call a caution asks to be acknowledged: OpenBridge and IEC 62923 call it a warning.
+    there.icon.show({
+      type: alarm.level === "alarm" ? "alarm" : "warning",
+      active: alarm.stands,
+      acknowledged: alarm.acknowledged,
+    });
     setText(there.time, clock(alarm.since_s));
     setText(there.text, alarm.stands ? alarm.text : `${alarm.text} (over; not acknowledged)`);
     for (const level of ["alarm", "caution"] as const)

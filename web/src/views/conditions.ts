@@ -64,7 +64,7 @@ class Flow {
       this.touched = false;
       this.going = over_s === 0 ? null : { to, from_s: this.t_s, until_s: this.t_s + over_s };
     };
-    this.ring = new Ring(`${name} ${verb}`, "north", () => {
+    this.ring = new Ring(`${name} ${verb}`, name === "Wind" ? "wind" : "current", () => {
       this.touched = true;
       show();
     });
@@ -113,9 +113,8 @@ class Flow {
     );
   }
 
-  draw(mps: number, rad: number, full_mps: number): void {
-    // The knob is the direction of the order; the arrow points with the flow.
-    this.ring.draw(this.name === "Wind" ? rad + Math.PI : rad, Math.min(1, mps / full_mps));
+  draw(mps: number, rad: number): void {
+    this.ring.draw(rad, mps);
   }
 }
 
@@ -322,7 +321,7 @@ export class Conditions implements View {
 
   draw(): void {
     if (!this.frame) return;
-    this.wind.draw(this.frame.wind.speed_mps, this.frame.wind.from_rad, 20);
-    this.current.draw(this.frame.current.speed_mps, this.frame.current.to_rad, 2);
+    this.wind.draw(this.frame.wind.speed_mps, this.frame.wind.from_rad);
+    this.current.draw(this.frame.current.speed_mps, this.frame.current.to_rad);
   }
 }
