@@ -8,7 +8,7 @@ const SIZES = [
   { width: 1024, height: 768 },
   { width: 390, height: 844 },
 ];
-const PALETTES = ["day", "dusk", "night"];
+const PALETTES = ["day", "dusk", "night", "bright"];
 
 let at: Opened;
 beforeAll(async () => {
@@ -28,7 +28,7 @@ test.each(SIZES)("no finding at $width × $height", async (size) => {
   for (const tab of await page.getByRole("tab").all()) {
     await tab.click();
     for (const name of PALETTES) {
-      for (let i = 0; i < 3; i++) {
+      for (let i = 0; i < 4; i++) {
         if ((await page.locator("html").getAttribute("data-palette")) === name) break;
         await page.getByRole("button", { name: /^Palette/ }).click();
       }

@@ -12,7 +12,7 @@ const SIZES = [
   { width: 1024, height: 768 },
   { width: 390, height: 844 },
 ];
-const PALETTES = ["day", "dusk", "night"];
+const PALETTES = ["day", "dusk", "night", "bright"];
 const ROLES = ["pilot", "tugmaster", "instructor", "observer"];
 
 const errors: string[] = [];
@@ -39,7 +39,7 @@ afterAll(async () => {
 });
 
 async function palette(page: Page, name: string): Promise<void> {
-  for (let i = 0; i < 3 && (await page.locator("html").getAttribute("data-palette")) !== name; i++)
+  for (let i = 0; i < 4 && (await page.locator("html").getAttribute("data-palette")) !== name; i++)
     await page.keyboard.press("b");
 }
 

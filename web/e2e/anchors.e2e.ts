@@ -5,7 +5,7 @@ import { type Browser, type Served, SHOTS, browse, open, serve } from "./browser
 import { axe, sizes, withAxe } from "./faults";
 
 const HARBOUR = new URL("../../scenarios/live/harbour.toml", import.meta.url).pathname;
-const PALETTES = ["day", "dusk", "night"];
+const PALETTES = ["day", "dusk", "night", "bright"];
 
 const errors: string[] = [];
 let browser: Browser;
@@ -36,7 +36,7 @@ test("the port anchor is let go, reported, drawn and hove in, and a windlass wit
   const found: string[] = [];
   for (let i = 0; i < PALETTES.length; i++) {
     found.push(...(await axe(page, ".panel")), ...(await sizes(page)));
-    if (i === PALETTES.length - 1)
+    if (PALETTES[i] === "night")
       await page.screenshot({ path: join(SHOTS, "anchor-down-night.png") });
     await page.keyboard.press("b");
   }

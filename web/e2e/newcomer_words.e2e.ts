@@ -41,7 +41,7 @@ test("End this run? stays until it is answered, and Escape keeps the run", async
   }
   await page.keyboard.press("Escape");
   await question.waitFor({ state: "detached" });
-  for (const palette of ["dusk", "night", "day"]) {
+  for (const palette of ["dusk", "night", "bright", "day"]) {
     await page.keyboard.press("b");
     expect(await page.locator("html").getAttribute("data-palette")).toBe(palette);
     await anew.click();

@@ -1,5 +1,5 @@
 /**
- * Screenshots of every view in the three palettes, for a person to look at: `npm run e2e` writes them to `screenshots/`
+ * Screenshots of every view in the four palettes, for a person to look at: `npm run e2e` writes them to `screenshots/`
  * (or `SCREENSHOTS`). Also tested: nothing extends beyond the page, and touch targets are 44 px or more.
  */
 import { mkdirSync } from "node:fs";
@@ -43,7 +43,7 @@ async function underWay(): Promise<void> {
 }
 
 async function palette(page: Page, name: string): Promise<void> {
-  for (let i = 0; i < 3 && (await page.locator("html").getAttribute("data-palette")) !== name; i++)
+  for (let i = 0; i < 4 && (await page.locator("html").getAttribute("data-palette")) !== name; i++)
     await page.keyboard.press("b");
   await page.waitForTimeout(150);
 }
@@ -68,7 +68,7 @@ for (const [size, viewport] of Object.entries(SIZES)) {
         // Once a second view stood below the chosen one.
         expect(await page.locator(".view:visible").count()).toBe(1);
         for (const name of size === "desk" || tab === "Docking"
-          ? ["day", "dusk", "night"]
+          ? ["day", "dusk", "night", "bright"]
           : ["day"]) {
           await palette(page, name);
           await page.screenshot({

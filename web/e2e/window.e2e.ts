@@ -93,7 +93,7 @@ test("each camera draws a picture, by day, at dusk and at night", async () => {
   for (const palette of ["day", "dusk", "night"]) {
     for (
       let i = 0;
-      i < 3 && (await page.locator("html").getAttribute("data-palette")) !== palette;
+      i < 4 && (await page.locator("html").getAttribute("data-palette")) !== palette;
       i++
     )
       await page.keyboard.press("b");

@@ -93,23 +93,29 @@ export function pruned(css: string, names: Iterable<string>): string {
   for (const { properties } of all)
     for (const [name, value] of properties)
       needs.set(name, [...(needs.get(name) ?? []), ...named(value)]);
-  const used = new Set<string>();
+  const kept = new Set<string>();
   const add = (name: string): void => {
-    if (used.has(name)) return;
-    used.add(name);
+    if (kept.has(name)) return;
+    kept.add(name);
     for (const other of needs.get(name) ?? []) add(other);
   };
   for (const name of names) add(name);
   return all
     .map(({ selector, properties }) => {
-      const kept = properties.filter(([name]) => used.has(name));
+      const here = properties.filter(([name]) => kept.has(name));
       // On the root alone: nothing in this page changes sizes within itself.
       const at = selector === SIZE || selector === "*" ? ":root" : selector;
-      return kept.length === 0
+      return here.length === 0
         ? ""
-        : `${at}{${kept.map(([name, value]) => `${name}:${value}`).join(";")}}`;
+        : `${at}{${here.map(([name, value]) => `${name}:${value}`).join(";")}}`;
     })
     .join("\n");
+}
+
+/** Custom properties that this page and its components name. */
+export function used(): string[] {
+  const seen = new Set<string>();
+  return OURS.flatMap((name) => namedBy(new URL(name, import.meta.url).pathname, seen));
 }
 
 function mended(code: string): string {
@@ -118,6 +124,7 @@ function mended(code: string): string {
   return parts.join(NO_NUMBER.right);
 }
 
+/** The plugin of Vite for all pages. */
 export function openbridge(): Plugin {
   return {
     name: "openbridge",
@@ -128,15 +135,7 @@ export function openbridge(): Plugin {
       const [file = ""] = id.split("?");
       if (WATCH.test(file)) return { code: mended(code), map: null };
       if (!SHEET.test(file)) return null;
-      const seen = new Set<string>();
-      const ours = OURS.map((name) => new URL(name, import.meta.url).pathname);
-      return {
-        code: pruned(
-          code,
-          ours.flatMap((file) => namedBy(file, seen)),
-        ),
-        map: null,
-      };
+      return { code: pruned(code, used()), map: null };
     },
   };
 }

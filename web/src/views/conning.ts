@@ -178,7 +178,7 @@ class Display {
     const { thrusters, azimuths, rudder_stop_rad } = this.info;
     const tunnels = thrusters.flatMap((each, i) => [
       this.dial(thruster(i)),
-      this.figure(`${named(each.name)} thr.`, ({ now }) => [share(now.thrusters[i]?.now ?? 0)]),
+      this.figure(named(each.name), ({ now }) => [share(now.thrusters[i]?.now ?? 0)]),
     ]);
     const tunnelled = tunnels.length > 0 ? [h("div", { class: "unit tunnels" }, ...tunnels)] : [];
     const units = azimuths.map((each, i) =>
