@@ -20,7 +20,7 @@ test("hints lead a newcomer to the helm, the rudder, the engine and a tug within
   const begun = Date.now();
   const page = await open(browser.context, served, "pilot", errors, true);
   const hint = page.getByRole("status", { name: "Hint" });
-  await hint.getByText("Stop her 30 m off").waitFor();
+  await hint.getByText("A bulk carrier approaches her berth").waitFor();
   await page.screenshot({ path: join(SHOTS, "newcomer-0.png") });
   await page.getByRole("button", { name: "Next hint" }).tap();
   await hint.getByText("Start here").waitFor();

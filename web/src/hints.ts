@@ -15,7 +15,7 @@ interface Hint {
 const CLAIM: Hint = {
   until: "claim",
   at: [".take:not(.hidden)"],
-  text: "Start here. Until you take her, this page only watches.",
+  text: "Start here: until you take her, this page only watches.",
 };
 const HINTS: Record<Role["name"], Hint[]> = {
   pilot: [
@@ -23,7 +23,7 @@ const HINTS: Record<Role["name"], Hint[]> = {
     {
       until: "rudder",
       at: [".rudder .slider", '[data-group="Helm"]'],
-      text: "Steer: drag the knob or press a number. Red is port, green is starboard. The bar shows where the rudder is now.",
+      text: "Steer: drag the knob or press a number; the bar below the knob is the rudder now.",
     },
     {
       until: "engine",
@@ -46,14 +46,14 @@ const HINTS: Record<Role["name"], Hint[]> = {
     {
       until: "tug",
       at: [".tugmaster .ring"],
-      text: "The ring sets the direction, the slider the power. Drag either.",
+      text: "Drag the ring for the direction, the slider for the power.",
     },
   ],
   instructor: [
     {
       until: "rewind",
       at: [".timeline input"],
-      text: "Drag back in time, then “Go on from here” starts a new branch. Nothing is lost.",
+      text: "Drag back in time; “Go on from here” then starts a new branch, and nothing is lost.",
     },
     {
       until: "tab",
@@ -69,6 +69,12 @@ const HINTS: Record<Role["name"], Hint[]> = {
     },
   ],
 };
+
+/** The first sentence of an exercise's text, and where the rest is: a hint must not cover the plan. */
+export function short(briefing: string): string {
+  const first = /^.*?[.!?](?=\s|$)/s.exec(briefing)?.[0] ?? briefing;
+  return first.length < briefing.trim().length ? `${first} Press “?” for all of the task.` : first;
+}
 
 export class Hints {
   private readonly text = h("p");
@@ -104,8 +110,8 @@ export class Hints {
     this.briefing =
       briefing === ""
         ? []
-        : [{ until: "briefing", at: [".readout"], text: briefing, corner: true }];
-    const isRead = sessionStorage.getItem("briefing read") === briefing;
+        : [{ until: "briefing", at: [".readout"], text: short(briefing), corner: true }];
+    const isRead = sessionStorage.getItem("briefing read") === short(briefing);
     this.steps = [
       ...(isRead ? [] : this.briefing),
       ...(localStorage.getItem(key) === null ? HINTS[role] : []),
