@@ -176,7 +176,7 @@ export function azimuth(index: number): Dial {
   };
 }
 
-/** Pitch by the bow, and roll to starboard. */
+/** Pitch and roll. OpenBridge's pitch is positive with the bow down, ours with the bow up; roll is positive to starboard. */
 export function attitude(): Dial {
   const { root, show } = instrument("obc-pitch-roll", {
     vesselImageFore: "cargo-fore",
@@ -186,7 +186,7 @@ export function attitude(): Dial {
     root: frameOf("attitude", root),
     show: (sight) =>
       show({
-        pitch: degrees(sight.now.trim_rad),
+        pitch: -degrees(sight.now.trim_rad),
         roll: degrees(sight.now.heel_rad),
         priority: priority(sight),
       }),
