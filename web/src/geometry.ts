@@ -96,6 +96,12 @@ export function fitted(
   return { ...camera, pixels_per_m, centre: turned(camera.up_rad, middle) };
 }
 
+/** The places that are near one, and their mirror images about it, so that it is in the middle of them. */
+export function around(middle: Pair, places: Pair[], near_m: number): Pair[] {
+  const near = places.filter((place) => length(minus(place, middle)) <= near_m);
+  return near.flatMap((place) => [place, add(middle, minus(middle, place))]);
+}
+
 /** The largest round length (1, 2 or 5 times a power of ten) for a scale bar of at most this many metres. */
 export function roundLength(most_m: number): number {
   const power = 10 ** Math.floor(Math.log10(most_m));

@@ -37,6 +37,8 @@ export function compass(): Dial {
   const { root, show } = instrument("obc-compass", {
     direction: "headingUp",
     showLabels: true,
+    // Outside of the ring they would lie under the symbols of wind and current.
+    tickmarksInside: true,
     rotType: undefined,
   });
   return {

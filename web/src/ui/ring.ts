@@ -57,7 +57,7 @@ function weatherDial(subject: "wind" | "current"): Dial {
     crosshairEnabled: true,
     padding: 56,
     // Inside of the ring; the current on the side to which it goes, where the order is.
-    windSymbolRadius: 150,
+    windSymbolRadius: 100,
     currentSymbolRadius: -105,
   });
   return {

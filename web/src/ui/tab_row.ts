@@ -44,5 +44,10 @@ export class TabRow {
     for (const each of [this.before, this.after]) setClass(each, "hidden", fits);
     setClass(this.before, "ended", scrollLeft < 1);
     setClass(this.after, "ended", scrollLeft + clientWidth > scrollWidth - 1);
+    for (const tab of this.list.children) {
+      const { offsetLeft, offsetWidth } = tab as HTMLElement;
+      const from = offsetLeft - this.list.offsetLeft - scrollLeft;
+      setClass(tab, "cut", from < -1 || from + offsetWidth > clientWidth + 1);
+    }
   }
 }

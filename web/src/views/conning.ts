@@ -79,7 +79,7 @@ class Display {
   constructor(readonly info: VesselInfo) {
     this.root = h(
       "div",
-      { class: "display", role: "img" },
+      { class: `display ${info.azimuths.length > 0 ? "units-beside" : ""}`, role: "img" },
       h(
         "div",
         { class: "heading-row" },
@@ -96,6 +96,7 @@ class Display {
         h("div", { class: "weather" }, ...this.weather()),
         this.dial(compass()),
         h("div", { class: "wide-only" }, this.dial(speed()), this.dial(attitude())),
+        ...this.units(),
         ...this.engine(),
       ),
       h(
@@ -160,6 +161,20 @@ class Display {
     ];
   }
 
+  private units(): HTMLElement[] {
+    return this.info.azimuths.map((each, i) =>
+      h(
+        "div",
+        { class: "unit" },
+        this.dial(azimuth(i)),
+        this.figure(named(each.name), ({ now }) => {
+          const state = now.azimuths[i];
+          return [percent(state?.power ?? 0), `at ${sided(state?.direction_rad ?? 0)}`];
+        }),
+      ),
+    );
+  }
+
   private turn(): HTMLElement {
     return h(
       "div",
@@ -181,18 +196,7 @@ class Display {
       this.figure(named(each.name), ({ now }) => [share(now.thrusters[i]?.now ?? 0)]),
     ]);
     const tunnelled = tunnels.length > 0 ? [h("div", { class: "unit tunnels" }, ...tunnels)] : [];
-    const units = azimuths.map((each, i) =>
-      h(
-        "div",
-        { class: "unit" },
-        this.dial(azimuth(i)),
-        this.figure(named(each.name), ({ now }) => {
-          const state = now.azimuths[i];
-          return [percent(state?.power ?? 0), `at ${sided(state?.direction_rad ?? 0)}`];
-        }),
-      ),
-    );
-    if (units.length > 0 || rudder_stop_rad === null) return [...tunnelled, ...units];
+    if (azimuths.length > 0 || rudder_stop_rad === null) return tunnelled;
     const blade = h(
       "div",
       { class: "unit broad" },

@@ -21,6 +21,7 @@ import {
   toEarth,
   toScreen,
   zoomed,
+  around,
 } from "../geometry";
 import type { Live } from "../live";
 import { type Palette, palette } from "../palette";
@@ -38,6 +39,8 @@ export type Up = "north" | "head" | "berth";
 const UP_NAMES: Record<Up, string> = { north: "North up", head: "Head up", berth: "Berth up" };
 const ZOOM_STEP = 1.35;
 /** After this time labels may change their places without need. */
+/** What is farther from a tug does not make her plan smaller [m]. */
+const NEAR_TUG_M = 400;
 const SETTLE_MS = 2000;
 /** Time after which what lies over the canvas is measured again. */
 const LOOK_MS = 100;
@@ -52,6 +55,8 @@ type PlanCanvas = HTMLCanvasElement & { labelled?: { placed: Placed[]; taken: Bo
 const PHONE_PX = 480;
 /** A plan narrower than this has no room for its scale bar beside the tools [px]. */
 const TOOLS_PX = 900;
+/** On a broader plan the buttons are beside the rose. */
+const ROSE_PX = 790;
 
 export class Plan implements View {
   readonly root: HTMLElement;
@@ -220,7 +225,7 @@ export class Plan implements View {
   }
 
   private shipNow(now_ms: number): BodyNow | null {
-    return this.live.bodies(now_ms)[this.live.body()] ?? null;
+    return this.live.bodies(now_ms)[this.live.readBody()] ?? null;
   }
 
   /** Turns the camera to the chosen bearing. */
@@ -283,9 +288,9 @@ export class Plan implements View {
     const trial = drawTrial(all, this.trial);
     scene.drawBowAndStern(all);
     drawPlacing(all, this.placing);
-    const ship = bodies[this.live.body()];
+    const ship = bodies[this.live.readBody()];
     if (ship) this.measuring.draw({ ...all, ship });
-    const taken = [drawRose(to, this.camera, colours, frame), ...trial];
+    const taken = [drawRose(to, this.camera, colours, frame, this.planHeight()), ...trial];
     if (this.measuring.has("scale"))
       taken.push(drawScale(to, this.camera, colours, this.planHeight()));
     this.label(to, all.labels, taken, colours, now_ms);
@@ -344,7 +349,11 @@ export class Plan implements View {
     if (!hello) return;
     const first = !this.looked && this.lastShip === null && this.camera.pixels_per_m === 1;
     this.looked = true;
-    const places = scene.firstLook(hello, bodies, this.live, this.fits);
+    const ship = this.shipNow(performance.now());
+    const all = scene.firstLook(hello, bodies, this.live, this.fits);
+    // A tugmaster's own vessel is in the middle, with what is near her.
+    const isTug = this.live.readBody() !== this.live.body();
+    const places = isTug && ship ? around([ship[0], ship[1]], all, NEAR_TUG_M) : all;
     if (
       first &&
       hello.berth &&
@@ -357,7 +366,6 @@ export class Plan implements View {
     const sides = this.camera.width > TOOLS_PX / 1.5 ? 112 : 64;
     this.camera = fitted(this.camera, places, [58 + this.planHeight(), sides, 74]);
     // A followed ship keeps her place on the screen, not its centre, so that the berth stays in view too.
-    const ship = this.shipNow(performance.now());
     this.lastShip = ship ? [ship[0], ship[1]] : null;
   }
 
@@ -544,10 +552,12 @@ function drawRose(
   camera: Camera,
   colours: Palette,
   frame: Frame,
+  above: number,
 ): Box {
-  const phone = camera.width < PHONE_PX;
-  const radius = phone ? 22 : 34;
-  const centre: Pair = [radius + 24, phone ? radius + 54 : camera.height - radius - 52];
+  const radius = camera.width < PHONE_PX ? 22 : 34;
+  // In the lower corner, where the buttons leave it free; else below the scale.
+  const isLow = camera.width >= ROSE_PX;
+  const centre: Pair = [radius + 24, isLow ? camera.height - radius - 52 : above + radius + 54];
   const on = (bearing: number, far: number): Pair => {
     const angle = bearing - camera.up_rad;
     return [centre[0] + Math.sin(angle) * far, centre[1] - Math.cos(angle) * far];
