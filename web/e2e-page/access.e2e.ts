@@ -8,7 +8,7 @@ const SIZES = [
   { width: 1024, height: 768 },
   { width: 390, height: 844 },
 ];
-const PALETTES = ["day", "dusk", "night", "bright"];
+const PALETTES = ["day", "dusk", "night"];
 
 let at: Opened;
 beforeAll(async () => {

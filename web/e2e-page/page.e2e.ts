@@ -59,6 +59,10 @@ test("once loaded it asks no server for anything, and works with the network gon
   const choose = page.getByRole("combobox", { name: "Scenario" });
   await reran(page, () => choose.selectOption({ index: 6 }));
   await expect(state()).resolves.toMatch(/^done/);
+  // The instruments were loaded with the page.
+  await tab("Conning");
+  await page.locator(".conning obc-rudder svg").first().waitFor();
+  await tab("Fenders");
   await reran(page, () => choose.selectOption({ index: 0 }));
   await context.setOffline(false);
   expect(served.asked.filter((path) => path !== "/favicon.ico")).toEqual([]);

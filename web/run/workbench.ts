@@ -7,6 +7,7 @@ import { THEMES, type ThemeName, applyPalette } from "../src/palette";
 import type { Frame, Hello } from "../src/protocol";
 import { button, h, setAttribute, setClass, setText } from "../src/ui/dom";
 import { TabRow } from "../src/ui/tab_row";
+import { Conning } from "../src/views/conning";
 import { Fenders } from "../src/views/fenders";
 import { Plan } from "../src/views/plan";
 import { Strips } from "../src/views/strips";
@@ -133,6 +134,7 @@ export class Workbench {
       import("uplot"),
       import("uplot/dist/uPlot.min.css"),
       import("../src/bridge/picture"),
+      import("../src/instruments/components"),
     ];
     Promise.all([this.runner.load(), ...later]).catch((error: unknown) =>
       this.say(`The page could not be loaded: ${String(error)}`),
@@ -373,8 +375,11 @@ export class Workbench {
       duration_s: () => this.info?.duration_s ?? 1,
       at_s: () => this.live.frame?.t_s ?? 0,
     };
+    const conning: [string, View][] =
+      hello.vessels.length > 0 ? [["Conning", new Conning(this.live)]] : [];
     return [
       ["Fenders", new Fenders(hello)],
+      ...conning,
       ["Charts", new Strips(this.history, whole)],
       ["Verdict", new Verdict()],
       ["Report", this.outcome],

@@ -32,11 +32,11 @@ const degrees = (rad: number) => inSteps(toDegrees(rad), 0.1);
 const percent = (share: number) => inSteps(share * 100, 0.5);
 const frameOf = (kind: string, root: HTMLElement) => h("div", { class: `dial ${kind}` }, root);
 
-/** Heading up, with course over ground, ordered heading, wind and current. */
-export function compass(): Dial {
+/** Heading up, with course over ground, ordered heading, wind and current. `labels`: N, E, S and W, if it is large. */
+export function compass(labels: boolean): Dial {
   const { root, show } = instrument("obc-compass", {
     direction: "headingUp",
-    showLabels: true,
+    showLabels: labels,
     // Outside of the ring they would lie under the symbols of wind and current.
     tickmarksInside: true,
     rotType: undefined,

@@ -94,7 +94,7 @@ class Display {
         "div",
         { class: "middle" },
         h("div", { class: "weather" }, ...this.weather()),
-        this.dial(compass()),
+        this.dial(compass(info.azimuths.length === 0)),
         h("div", { class: "wide-only" }, this.dial(speed()), this.dial(attitude())),
         ...this.units(),
         ...this.engine(),
