@@ -636,7 +636,7 @@ export function firstLook(
 }
 
 /** Places of the berth: the fenders that are no tug's; without fenders the structures; without those the quays of the chart. */
-function berthOf(hello: Hello, bodies: (BodyNow | null)[], own: number): Pair[] {
+export function berthOf(hello: Hello, bodies: (BodyNow | null)[], own: number): Pair[] {
   const fenders = hello.fenders.flatMap((fender): Pair[] => {
     const on = bodies[fender.body];
     return on && fender.body !== own && !isOfTug(fender, hello) ? [onEarth(on, fender.at_m)] : [];

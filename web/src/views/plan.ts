@@ -1,4 +1,5 @@
 /** The plan: an electronic chart of the harbour around the ship. */
+import { drawBeyond } from "../draw/beyond";
 import { drawChart, drawChartMarks } from "../draw/chart";
 import { drawFog } from "../draw/fog";
 import { drawAnchors } from "../draw/anchors";
@@ -290,7 +291,12 @@ export class Plan implements View {
     drawPlacing(all, this.placing);
     const ship = bodies[this.live.readBody()];
     if (ship) this.measuring.draw({ ...all, ship });
-    const taken = [drawRose(to, this.camera, colours, frame, this.planHeight()), ...trial];
+    const beyond = ship ? drawBeyond(all, [ship[0], ship[1]], this.planHeight()) : [];
+    const taken = [
+      ...beyond,
+      drawRose(to, this.camera, colours, frame, this.planHeight()),
+      ...trial,
+    ];
     if (this.measuring.has("scale"))
       taken.push(drawScale(to, this.camera, colours, this.planHeight()));
     this.label(to, all.labels, taken, colours, now_ms);
