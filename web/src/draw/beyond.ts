@@ -8,7 +8,9 @@ import { drawPassagePlan } from "./passage_plan";
 import { type Scene, berthOf, drawLand, drawWater, firstLook } from "./scene";
 
 /** From a pointer's tip to the edges of the plan; above is the scale, below are the buttons [px]. */
-const EDGE = { sides: 10, above: 42, below: 78 };
+const EDGE = { sides: 10, above: 42, below: 78, below_two_rows: 124 };
+/** On a narrower plan the buttons stand in two rows [px]. */
+const ONE_ROW_PX = 790;
 const POINTER_PX = 15;
 /** Half the height of a pointer's words, and half the breadth of a letter, with room [px]. */
 const WORDS_PX = { high: 16, letter: 4.2, room: 8 };
@@ -47,7 +49,8 @@ export function leaving(
 ): { tip: Pair; along: Pair } | null {
   if (x >= 0 && x <= width && y >= 0 && y <= height) return null;
   const [left, right] = [EDGE.sides, width - EDGE.sides];
-  const [top, bottom] = [above + EDGE.above, height - EDGE.below];
+  const below = width < ONE_ROW_PX ? EDGE.below_two_rows : EDGE.below;
+  const [top, bottom] = [above + EDGE.above, height - below];
   const middle: Pair = [(left + right) / 2, (top + bottom) / 2];
   const way = minus([x, y], middle);
   const reach = Math.min(
