@@ -12,9 +12,12 @@ import "@oicl/openbridge-webcomponents/dist/navigation-instruments/speed-gauge/s
 import "@oicl/openbridge-webcomponents/dist/navigation-instruments/thruster/thruster.js";
 import { ObcWatch } from "@oicl/openbridge-webcomponents/dist/navigation-instruments/watch/watch.js";
 
+/** On a smaller dial nothing can be read [px]. */
+const LEAST_PX = 40;
+
 // A dial without a size, in a tab that is not shown, would compute with a scale of zero. It draws itself when it gets a size.
 Object.assign(ObcWatch.prototype, {
   shouldUpdate(this: ObcWatch): boolean {
-    return this.clientWidth > 0 && this.clientHeight > 0;
+    return this.clientWidth >= LEAST_PX && this.clientHeight >= LEAST_PX;
   },
 });

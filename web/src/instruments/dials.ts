@@ -24,6 +24,8 @@ export interface Dial {
 const NO_COURSE_MPS = 0.02;
 /** The last figure on the scale of the rate of turn, of ships and of tugs, and how far the scale goes beyond [°/min]. */
 const TURN = { ship: 30, tug: 90, beyond: 1.2 };
+/** The letters N, E, S and W have room on a compass of this size [px]. */
+const LETTERS_FROM_PX = 140;
 /** Ends of the scale of the speed [kn]. */
 const SPEED_KN = { astern: -5, ahead: 15 };
 
@@ -32,17 +34,23 @@ const degrees = (rad: number) => inSteps(toDegrees(rad), 0.1);
 const percent = (share: number) => inSteps(share * 100, 0.5);
 const frameOf = (kind: string, root: HTMLElement) => h("div", { class: `dial ${kind}` }, root);
 
-/** Heading up, with course over ground, ordered heading, wind and current. `labels`: N, E, S and W, if it is large. */
-export function compass(labels: boolean): Dial {
+/** Heading up, with course over ground, ordered heading, wind and current. */
+export function compass(): Dial {
+  // Before the instrument's own observer: a small dial must not be drawn with letters.
+  const sized = new ResizeObserver(([entry]) => {
+    const { width = 0, height = 0 } = entry?.contentRect ?? {};
+    show({ showLabels: Math.min(width, height) >= LETTERS_FROM_PX });
+  });
   const { root, show } = instrument("obc-compass", {
     direction: "headingUp",
-    showLabels: labels,
     // Outside of the ring they would lie under the symbols of wind and current.
     tickmarksInside: true,
     rotType: undefined,
   });
+  const framed = frameOf("compass", root);
+  sized.observe(framed);
   return {
-    root: frameOf("compass", root),
+    root: framed,
     show: (sight) => {
       const { now, body, frame } = sight;
       const heading = degrees(body[2]);

@@ -94,7 +94,7 @@ class Display {
         "div",
         { class: "middle" },
         h("div", { class: "weather" }, ...this.weather()),
-        this.dial(compass(info.azimuths.length === 0)),
+        this.dial(compass()),
         h("div", { class: "wide-only" }, this.dial(speed()), this.dial(attitude())),
         ...this.units(),
         ...this.engine(),
