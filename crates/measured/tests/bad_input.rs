@@ -1,0 +1,1 @@
+//! Bad input is named with file and line, and other berthings are kept.
