@@ -4,7 +4,8 @@ use std::path::Path;
 
 use fenderline_campaign::store::{About, write_rows};
 use fenderline_measured::{
-    Berth, BerthError, Berthings, LogsRead, Mapping, Page, Weight, berthings as find, page, read_log, table,
+    Berth, BerthError, Berthings, LogsRead, Mapping, Page, Weight, berthings as find, page,
+    read_log, table,
 };
 use fenderline_nautical::{ChartOrigin, GeoPoint};
 use fenderline_report::plot::{counted, fixed};
@@ -66,8 +67,8 @@ pub(crate) fn berthings(args: &BerthingsArgs) -> Result<(), Failure> {
 
 fn mapping(path: Option<&Path>) -> Result<Mapping, Failure> {
     let Some(path) = path else { return Ok(Mapping::default()) };
-    let text = read_text(path)
-        .map_err(|why| Failure::input(format_args!("error: cannot read {why}")))?;
+    let text =
+        read_text(path).map_err(|why| Failure::input(format_args!("error: cannot read {why}")))?;
     Mapping::parse(&text, &path.display().to_string()).map_err(Failure::input)
 }
 
@@ -142,7 +143,10 @@ fn printed(args: &BerthingsArgs, found: &Berthings) -> String {
                     "formula {} kJ, run {} ± {} kJ{}",
                     fixed(run.formula_j.value / 1e3, 0),
                     fixed(run.energy_j.value / 1e3, 0),
-                    fixed(2.0 * run.energy_j.sd / 1e3, 0),
+                    match run.energy_j.sd {
+                        sd if sd.is_finite() => fixed(2.0 * sd / 1e3, 0),
+                        _ => "?".to_owned(),
+                    },
                     if run.exceeded.is_empty() { "" } else { ", EXCEEDED" },
                 ),
                 Err(why) => format!("no run: {why}"),
@@ -155,7 +159,8 @@ fn printed(args: &BerthingsArgs, found: &Berthings) -> String {
         text += &format!(", {left_out} left out");
     }
     text += " (± two standard deviations)\n";
-    let files = [&args.out, &args.report].into_iter().flatten().map(|path| path.display().to_string());
+    let files =
+        [&args.out, &args.report].into_iter().flatten().map(|path| path.display().to_string());
     let files: Vec<String> = files.collect();
     if !files.is_empty() {
         text += &format!("written: {}\n", files.join(", "));

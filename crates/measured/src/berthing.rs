@@ -273,9 +273,14 @@ fn no_touch(
         }
         None => {
             let known = channels.readings.iter().filter(|readings| readings[0].is_finite());
-            let far_m = known.map(|own| libm::hypot(own[0], own[1])).fold(f64::INFINITY, fenderline_contact::number::lesser);
+            let far_m = known
+                .map(|own| libm::hypot(own[0], own[1]))
+                .fold(f64::INFINITY, fenderline_contact::number::lesser);
             let why = match far_m > 2.0 * (axes.length_m + axes.hull_length_m()) {
-                true => format!("the track is of another berth: it stays {} m away from this one", fixed(far_m)),
+                true => format!(
+                    "the track is of another berth: it stays {} m away from this one",
+                    fixed(far_m)
+                ),
                 false => "no touch: the ship is never abreast of a fender".to_owned(),
             };
             (first, why)
@@ -298,7 +303,12 @@ fn no_touch(
 ///
 /// # Errors
 /// Line and reason why it is left out.
-fn one(log: &Log, way: &Way, mapping: &Mapping, berth: &Berth) -> Result<Berthing, (usize, String)> {
+fn one(
+    log: &Log,
+    way: &Way,
+    mapping: &Mapping,
+    berth: &Berth,
+) -> Result<Berthing, (usize, String)> {
     let axes = &berth.axes;
     let mut flags = check(way, log, mapping)?;
     let line = way.channels.lines[way.touch];
@@ -350,7 +360,9 @@ fn without_two_at_once(all: Vec<Berthing>, remarks: &mut Remarks) -> Vec<Berthin
         is_other && meets && overlaps
     };
     let with: Vec<Option<usize>> = (0..all.len())
-        .map(|index| (0..all.len()).find(|other| *other != index && is_with(&all[index], &all[*other])))
+        .map(|index| {
+            (0..all.len()).find(|other| *other != index && is_with(&all[index], &all[*other]))
+        })
         .collect();
     for (index, other) in with.iter().enumerate() {
         if let Some(other) = other {

@@ -126,7 +126,8 @@ impl BerthAxes {
             });
         }
         let ends = faces.iter().map(|face| face.along_m);
-        let length_m = ends.clone().fold(f64::NEG_INFINITY, greater) - ends.fold(f64::INFINITY, lesser);
+        let length_m =
+            ends.clone().fold(f64::NEG_INFINITY, greater) - ends.fold(f64::INFINITY, lesser);
         let mut axes = BerthAxes {
             ship,
             origin_m,
@@ -234,7 +235,8 @@ impl BerthAxes {
     #[must_use]
     pub fn nearest(&self, lie: &Lie) -> Option<Nearest> {
         let of = |face: &Face| {
-            let (low_m, high_m) = (face.along_m - face.half_width_m, face.along_m + face.half_width_m);
+            let (low_m, high_m) =
+                (face.along_m - face.half_width_m, face.along_m + face.half_width_m);
             let at = self.lowest(lie, low_m, high_m)?;
             Some(Nearest {
                 fender: face.fender,
@@ -298,6 +300,13 @@ impl BerthAxes {
     #[must_use]
     pub fn from_axes(&self, at: [f64; 2]) -> Vec2 {
         self.origin_m + self.along * at[0] + self.out * at[1]
+    }
+
+    /// Width of the face of a fender of the berth (m); 0 for another fender.
+    #[must_use]
+    pub fn face_width_m(&self, fender: usize) -> f64 {
+        let face = self.faces.iter().find(|face| face.fender == fender);
+        face.map_or(0.0, |face| 2.0 * face.half_width_m)
     }
 
     /// Length of the hull (m).

@@ -57,8 +57,8 @@ fn add(log: &Log, rows: Vec<usize>, cut: &mut Vec<Stretch>, remarks: &mut Remark
             _ => parts.push(Stretch { name, rows: vec![row] }),
         }
     }
-    let comes_back =
-        (0..parts.len()).find(|index| parts[..*index].iter().any(|part| part.name == parts[*index].name));
+    let comes_back = (0..parts.len())
+        .find(|index| parts[..*index].iter().any(|part| part.name == parts[*index].name));
     if let Some(index) = comes_back {
         let line = log.rows[parts[index].rows[0]].line;
         let mut names: Vec<&str> = Vec::new();
@@ -86,7 +86,8 @@ fn single(log: &Log, stretch: Stretch, remarks: &mut Remarks) -> Option<Stretch>
         let own = &log.rows[row];
         match rows.last().map(|last| &log.rows[*last]) {
             Some(last) if last.t_s == own.t_s => {
-                let differ = last.readings.iter().zip(own.readings).any(|(a, b)| (a - b).abs() > 0.5);
+                let differ =
+                    last.readings.iter().zip(own.readings).any(|(a, b)| (a - b).abs() > 0.5);
                 if differ {
                     double.add(own.line);
                 }

@@ -97,7 +97,9 @@ pub(crate) fn most_used(run: &Rerun) -> Option<(usize, &'static str, f64)> {
 fn columns(berthings: &Berthings) -> Vec<Column> {
     const DEG: f64 = 57.295_779_513_082_32;
     let mut all = vec![
-        text("time", "time of the first touch, in UTC if the log has dates", |_, own| time_text(own)),
+        text("time", "time of the first touch, in UTC if the log has dates", |_, own| {
+            time_text(own)
+        }),
         text("ship", "name of the ship in the log", |_, own| own.ship.clone()),
         text("log", "name of the log", |_, own| own.file.clone()),
         number("line", "", "line of the log at the touch", |_, own| own.line as f64),
@@ -120,9 +122,13 @@ fn columns(berthings: &Berthings) -> Vec<Column> {
         DEG,
         |own| Some(own.touch.angle_rad),
     ));
-    all.extend(uncertain("turn", "deg/min", "rate of turn, positive to starboard", 60.0 * DEG, |own| {
-        Some(own.touch.turn_radps)
-    }));
+    all.extend(uncertain(
+        "turn",
+        "deg/min",
+        "rate of turn, positive to starboard",
+        60.0 * DEG,
+        |own| Some(own.touch.turn_radps),
+    ));
     all.extend(uncertain(
         "place_on_ship",
         "m",
@@ -155,19 +161,27 @@ fn columns(berthings: &Berthings) -> Vec<Column> {
         |own| Some(own.touch.centre_mps),
     ));
     all.extend([
-        number("time_sd", "s", "standard deviation of the time of the touch", |_, own| own.touch.t_sd_s),
-        number("bandwidth", "s", "time before the touch through which parabolas are laid", |_, own| {
-            own.touch.bandwidth_s
+        number("time_sd", "s", "standard deviation of the time of the touch", |_, own| {
+            own.touch.t_sd_s
         }),
+        number(
+            "bandwidth",
+            "s",
+            "time before the touch through which parabolas are laid",
+            |_, own| own.touch.bandwidth_s,
+        ),
         number("readings", "", "fewest readings of a channel in that time", |_, own| {
             own.touch.readings as f64
         }),
         number("left_out", "", "readings in that time that lie far from the others", |_, own| {
             own.touch.left_out as f64
         }),
-        number("moved", "m", "how far a track was moved so that the ship lies at the fenders", |_, own| {
-            own.zero_m.unwrap_or(0.0)
-        }),
+        number(
+            "moved",
+            "m",
+            "how far a track was moved so that the ship lies at the fenders",
+            |_, own| own.zero_m.unwrap_or(0.0),
+        ),
         text("flags", "what limits the quality of the row; empty if nothing does", |_, own| {
             own.flags.iter().map(|flag| flag.word()).collect::<Vec<_>>().join(" ")
         }),
@@ -194,7 +208,8 @@ fn columns(berthings: &Berthings) -> Vec<Column> {
             run_of(own).map_or(f64::NAN, |run| run.speed_mps)
         }),
         text("run_first_fender", "fender that is touched first in the run", |all, own| {
-            run_of(own).map_or_else(String::new, |run| all.berths[own.berth].fender(run.fender).to_owned())
+            run_of(own)
+                .map_or_else(String::new, |run| all.berths[own.berth].fender(run.fender).to_owned())
         }),
         text("run_verdict", "the worst finding of the run, as a word", |_, own| {
             run_of(own).map_or_else(|| "no_run".to_owned(), |run| run.verdict.key().to_owned())
@@ -207,9 +222,13 @@ fn columns(berthings: &Berthings) -> Vec<Column> {
             let most = run_of(own).and_then(most_used);
             most.map_or_else(String::new, |most| all.berths[own.berth].fender(most.0).to_owned())
         }),
-        text("most_used_quantity", "the quantity of that fender that is nearest to its rating", |_, own| {
-            run_of(own).and_then(most_used).map_or_else(String::new, |most| most.1.to_owned())
-        }),
+        text(
+            "most_used_quantity",
+            "the quantity of that fender that is nearest to its rating",
+            |_, own| {
+                run_of(own).and_then(most_used).map_or_else(String::new, |most| most.1.to_owned())
+            },
+        ),
         number("most_used_share", "%", "share of the rating of that quantity", |_, own| {
             run_of(own).and_then(most_used).map_or(f64::NAN, |most| 100.0 * most.2)
         }),
@@ -263,8 +282,10 @@ pub fn table(berthings: &Berthings) -> (Vec<Head>, Vec<Row>) {
     for (place, name) in berthings.kept.iter().enumerate() {
         let values = berthings.all.iter().map(|own| own.kept.get(place).map_or("", String::as_str));
         let values: Vec<&str> = values.collect();
-        let is_number = |value: &&str| value.is_empty() || value.parse::<f64>().is_ok_and(f64::is_finite);
-        let are_numbers = values.iter().all(is_number) && values.iter().any(|value| !value.is_empty());
+        let is_number =
+            |value: &&str| value.is_empty() || value.parse::<f64>().is_ok_and(f64::is_finite);
+        let are_numbers =
+            values.iter().all(is_number) && values.iter().any(|value| !value.is_empty());
         let name = free_name(&heads, name);
         let meaning = "column of the log, at the touch";
         heads.push(match are_numbers {

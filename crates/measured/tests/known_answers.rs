@@ -2,7 +2,9 @@
 
 use fenderline_measured::{Berthing, Uncertain};
 
-use crate::support::{ANTENNA_M, Random, SENSORS, Truth, USUAL, docking_log, drawn, found, track_log};
+use crate::support::{
+    ANTENNA_M, Random, SENSORS, Truth, USUAL, docking_log, drawn, found, track_log,
+};
 
 /// The four answers of the design sheet, each with its tolerance.
 #[derive(Debug, Default)]
@@ -49,7 +51,10 @@ fn one(of: &str, seed: u64, counted: &mut Counted) {
         ),
         _ => (
             track_log(&approach, 0.02, &mut random),
-            format!("antenna = [{:?}, {:?}]\nposition_deviation = \"2 cm\"\n", ANTENNA_M.x, ANTENNA_M.y),
+            format!(
+                "antenna = [{:?}, {:?}]\nposition_deviation = \"2 cm\"\n",
+                ANTENNA_M.x, ANTENNA_M.y
+            ),
         ),
     };
     let found = found(&[("log.csv", &log)], &mapping);
@@ -96,7 +101,10 @@ fn check(of: &str, seeds: core::ops::Range<u64>) {
         assert!(counted.within[index] * 100 >= 95 * runs, "{what} within: {counted:?}");
         assert!(counted.covered[index] * 100 >= 90 * runs, "{what} covered: {counted:?}");
         // A hundred of a hundred may be chance only in a short form.
-        assert!(runs < 100 || counted.covered[index] * 100 <= 99 * runs, "{what} covered: {counted:?}");
+        assert!(
+            runs < 100 || counted.covered[index] * 100 <= 99 * runs,
+            "{what} covered: {counted:?}"
+        );
     }
 }
 

@@ -37,7 +37,10 @@ fn parabolas_are_those_of_statsmodels_and_savitzky_and_golay() {
             for (column, wanted) in numbers(wanted).into_iter().enumerate() {
                 let own = fit.covariance[row][column];
                 let scale = (fit.covariance[row][row] * fit.covariance[column][column]).sqrt();
-                assert!((own - factor * wanted).abs() < 1e-6 * scale, "{row} {column}: {own}, {wanted}");
+                assert!(
+                    (own - factor * wanted).abs() < 1e-6 * scale,
+                    "{row} {column}: {own}, {wanted}"
+                );
             }
         }
         if let Some(ends) = case.get("by_savitzky_golay") {

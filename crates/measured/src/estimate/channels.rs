@@ -45,7 +45,12 @@ const LEAST_JUMP_S: f64 = 3.0;
 
 impl Channels {
     /// The channels of a stretch of a log.
-    pub(crate) fn of(log: &Log, stretch: &Stretch, axes: &BerthAxes, mapping: &Mapping) -> Channels {
+    pub(crate) fn of(
+        log: &Log,
+        stretch: &Stretch,
+        axes: &BerthAxes,
+        mapping: &Mapping,
+    ) -> Channels {
         let rows = stretch.rows.clone();
         let own = |index: &usize| &log.rows[*index];
         let lines = rows.iter().map(|index| own(index).line).collect();
@@ -110,7 +115,8 @@ impl Channels {
                 // The deviation is itself estimated from few readings: the variance of Student's distribution.
                 let free = (fit.count - 3) as f64;
                 if free > 2.0 {
-                    fit.covariance = fit.covariance.map(|row| row.map(|own| own * free / (free - 2.0)));
+                    fit.covariance =
+                        fit.covariance.map(|row| row.map(|own| own * free / (free - 2.0)));
                 }
                 fit.covariance[0][0] += self.constant_sd[channel] * self.constant_sd[channel];
                 Some(fit)
@@ -147,7 +153,8 @@ impl Channels {
             self.t_s[row] += moved_s;
             let step_s = self.t_s[row] - self.t_s[row - 1];
             let is_jump = step_s <= 0.0
-                || (step_s > greater(LEAST_JUMP_S, 4.0 * usual_s) && self.stood_still(row, step_s, usual_s));
+                || (step_s > greater(LEAST_JUMP_S, 4.0 * usual_s)
+                    && self.stood_still(row, step_s, usual_s));
             if is_jump {
                 let by_s = usual_s - step_s;
                 moved_s += by_s;
@@ -189,7 +196,11 @@ fn docking(log: &Log, rows: &[usize], axes: &BerthAxes, mapping: &Mapping) -> Ch
         t_s: Vec::new(),
         readings: rows.iter().map(reading).collect(),
         steps: log.steps,
-        assumed: (!is_measured).then_some((along_m, mapping.ship_place_sd_m, mapping.along_speed_sd_mps)),
+        assumed: (!is_measured).then_some((
+            along_m,
+            mapping.ship_place_sd_m,
+            mapping.along_speed_sd_mps,
+        )),
         constant_sd: [0.0; 3],
         jumps: Vec::new(),
     }

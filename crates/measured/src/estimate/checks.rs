@@ -34,7 +34,8 @@ pub(crate) fn check(way: &Way, log: &Log, mapping: &Mapping) -> Result<Vec<Flag>
     let told = told(&way.channels, log, way.touch);
     let ratio = |sensor: usize, of: usize| {
         let by_m = told.by_speed_m[sensor][of];
-        let is_known = told.by_distance_m[sensor].abs() > LEAST_WAY_M && by_m.abs() > 0.1 * LEAST_WAY_M;
+        let is_known =
+            told.by_distance_m[sensor].abs() > LEAST_WAY_M && by_m.abs() > 0.1 * LEAST_WAY_M;
         is_known.then(|| (told.by_distance_m[sensor] / by_m).abs())
     };
     let near = |ratio: Option<f64>, wanted: f64, within: f64| {
@@ -96,7 +97,8 @@ fn told(channels: &Channels, log: &Log, touch: usize) -> Told {
             if step_s > 5.0 * usual_s {
                 continue;
             }
-            told.by_distance_m[sensor] += channels.readings[two[0]][sensor] - channels.readings[two[1]][sensor];
+            told.by_distance_m[sensor] +=
+                channels.readings[two[0]][sensor] - channels.readings[two[1]][sensor];
             let (one, next) = (speeds(two[0]), speeds(two[1]));
             for (of, by_m) in told.by_speed_m[sensor].iter_mut().enumerate() {
                 *by_m += 0.5 * (one[of] + next[of]) * step_s;

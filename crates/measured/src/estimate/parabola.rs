@@ -47,9 +47,12 @@ impl Parabola {
         let rounding = if step.is_finite() { step / libm::sqrt(12.0) } else { 0.0 };
         for _ in 0..4 {
             let fit = fitted(&kept, at_s)?;
-            let mut off: Vec<f64> = kept.iter().map(|(t, y)| (y - fit.at(t - at_s)).abs()).collect();
+            let mut off: Vec<f64> =
+                kept.iter().map(|(t, y)| (y - fit.at(t - at_s)).abs()).collect();
             off.sort_by(f64::total_cmp);
-            let deviation = greater(MEDIAN_TO_SD * off[off.len() / 2], rounding);
+            // A parabola through few readings is drawn towards each of them.
+            let few = libm::sqrt(off.len() as f64 / (off.len() - 3) as f64);
+            let deviation = greater(MEDIAN_TO_SD * few * off[off.len() / 2], rounding);
             let before = kept.len();
             kept.retain(|(t, y)| (y - fit.at(t - at_s)).abs() <= OUTSIDE * deviation + 1e-12);
             if kept.len() == before {
@@ -120,9 +123,10 @@ impl Fit {
         // Rounding makes steps that follow each other where the readings hardly move.
         let deviation = greater(libm::sqrt(squares / (count - 3.0)), rounding);
         let factor = match correlation > 2.0 / libm::sqrt(count) {
-            true if correlation < 1.0 => {
-                fenderline_contact::number::lesser((1.0 + correlation) / (1.0 - correlation), MOST_FACTOR)
-            }
+            true if correlation < 1.0 => fenderline_contact::number::lesser(
+                (1.0 + correlation) / (1.0 - correlation),
+                MOST_FACTOR,
+            ),
             true => MOST_FACTOR,
             false => 1.0,
         };
@@ -162,7 +166,8 @@ fn fitted(readings: &[(f64, f64)], at_s: f64) -> Option<Fit> {
             *sum += power * (y - base);
         }
     }
-    let matrix = [[sums[0], sums[1], sums[2]], [sums[1], sums[2], sums[3]], [sums[2], sums[3], sums[4]]];
+    let matrix =
+        [[sums[0], sums[1], sums[2]], [sums[1], sums[2], sums[3]], [sums[2], sums[3], sums[4]]];
     let mut inverse = inverse(&matrix)?;
     let mut of = [0.0; 3];
     for (own, row) in of.iter_mut().zip(&inverse) {

@@ -17,6 +17,12 @@ const USUAL_S: f64 = 30.0;
 const WANTED_ROWS: f64 = 12.0;
 /// Longest length of time without a mapping's (s).
 const LONGEST_S: f64 = 120.0;
+/// A ship touches the edge of a face, or the whole face at once: the place of the contact has at least a deviation of
+/// this share of the width of the face.
+const FACE_SHARE: f64 = 0.05;
+/// Places of the two places of the contact in [`Values`].
+const FORWARD: usize = 3;
+const ALONG: usize = 4;
 /// Largest number of rounds in which the time of the touch is found.
 const ROUNDS: usize = 12;
 
@@ -127,7 +133,11 @@ pub(crate) fn touch(
     if own.of[0] <= 0.0 {
         return Err("the ship does not come nearer before the touch".to_owned());
     }
-    let sd = deviations(channels, axes, &of, &own, bandwidth_s);
+    let mut sd = deviations(channels, axes, &of, &own, bandwidth_s);
+    let face_sd_m = FACE_SHARE * axes.face_width_m(own.fender);
+    for place in [FORWARD, ALONG] {
+        sd[place] = libm::hypot(sd[place], face_sd_m);
+    }
     let value = |index: usize| Uncertain { value: own.of[index], sd: sd[index] };
     let measured = of.iter().filter(|parabola| parabola.count < usize::MAX);
     let readings = measured.clone().map(|parabola| parabola.count).min().unwrap_or(0);
@@ -138,8 +148,8 @@ pub(crate) fn touch(
         speed_mps: value(0),
         angle_rad: value(1),
         turn_radps: value(2),
-        forward_m: value(3),
-        along_m: value(4),
+        forward_m: value(FORWARD),
+        along_m: value(ALONG),
         ahead_mps: value(5),
         centre_mps: value(6),
         fender: own.fender,

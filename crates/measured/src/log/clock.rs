@@ -64,7 +64,8 @@ impl Clock {
             },
         };
         let date = [if date[0] < 100 { date[0] + 2000 } else { date[0] }, date[1], date[2]];
-        let is_good = (1..=12).contains(&date[1]) && (1..=days_of(date[0], date[1])).contains(&date[2]);
+        let is_good =
+            (1..=12).contains(&date[1]) && (1..=days_of(date[0], date[1])).contains(&date[2]);
         is_good.then_some(date)
     }
 }
@@ -104,7 +105,8 @@ fn parts_of(date: &str) -> Option<(char, [i64; 3])> {
     let parts: Option<Vec<i64>> = date
         .split(separator)
         .map(|part| {
-            let is_good = !part.is_empty() && part.len() <= 4 && part.bytes().all(|b| b.is_ascii_digit());
+            let is_good =
+                !part.is_empty() && part.len() <= 4 && part.bytes().all(|b| b.is_ascii_digit());
             is_good.then(|| part.parse().ok())?
         })
         .collect();
@@ -171,7 +173,9 @@ mod tests {
         }
         assert_eq!(read("23:00:05"), Some(Moment::Undated(82_805.0)));
         assert_eq!(read("12.5"), Some(Moment::Undated(12.5)));
-        for bad in ["", "2025-02-29 10:00", "yesterday", "25:00:00", "01/02/2025 10:00", "-5", "NaN"] {
+        for bad in
+            ["", "2025-02-29 10:00", "yesterday", "25:00:00", "01/02/2025 10:00", "-5", "NaN"]
+        {
             assert_eq!(read(bad), None, "{bad}");
         }
     }

@@ -11,7 +11,8 @@ impl Title {
     /// Takes a title such as `Bow Dist. (ft)` apart.
     pub(super) fn of(head: &str) -> Title {
         let head = head.trim().trim_start_matches('\u{feff}');
-        let within = |open, close| head.strip_suffix(close).and_then(|rest: &str| rest.rsplit_once(open));
+        let within =
+            |open, close| head.strip_suffix(close).and_then(|rest: &str| rest.rsplit_once(open));
         let parts = within('[', ']').or_else(|| within('(', ')'));
         let (name, unit) = parts.unwrap_or((head, ""));
         let lower = name.to_lowercase();

@@ -154,7 +154,8 @@ fn nmea(text: &str, file: &str, origin: &ChartOrigin, faults: &mut Faults) -> Ve
                     continue;
                 };
                 is_heading_first.get_or_insert(false);
-                let mut t_s = days(year.into(), month.into(), day.into()) as f64 * 86_400.0 + seconds;
+                let mut t_s =
+                    days(year.into(), month.into(), day.into()) as f64 * 86_400.0 + seconds;
                 // The date comes with RMC; GGA alone may already be past midnight.
                 if own.is_none() && seconds < last_of_day_s - 43_200.0 {
                     t_s += 86_400.0;
@@ -168,7 +169,8 @@ fn nmea(text: &str, file: &str, origin: &ChartOrigin, faults: &mut Faults) -> Ve
                 if let Some((line, ..)) = waiting.take() {
                     faults.no_heading.add(line);
                 }
-                let before = heading.filter(|(at_s, _)| t_s - at_s <= HEADING_HOLDS_S || !at_s.is_finite());
+                let before =
+                    heading.filter(|(at_s, _)| t_s - at_s <= HEADING_HOLDS_S || !at_s.is_finite());
                 match before {
                     Some((_, rad)) if is_heading_first == Some(true) => {
                         push_fix(&mut log, number, t_s, &fix, rad, origin);
@@ -196,13 +198,16 @@ fn push_fix(
     origin: &ChartOrigin,
 ) {
     let [north_m, east_m] = origin.metres(fix.place);
-    push(log, LogRow {
-        line,
-        t_s,
-        readings: [north_m, east_m, heading_rad],
-        speeds_mps: [f64::NAN; 2],
-        angle_rad: f64::NAN,
-    });
+    push(
+        log,
+        LogRow {
+            line,
+            t_s,
+            readings: [north_m, east_m, heading_rad],
+            speeds_mps: [f64::NAN; 2],
+            angle_rad: f64::NAN,
+        },
+    );
 }
 
 /// Tracks of all ships of an AIS log.
@@ -242,13 +247,16 @@ fn ais(
                 };
                 let log = logs.entry(report.mmsi).or_insert_with(|| ais_log(file, &report, origin));
                 let [north_m, east_m] = origin.metres(place);
-                push(log, LogRow {
-                    line: number,
-                    t_s: sent_s(received_s, report.second),
-                    readings: [north_m, east_m, heading_deg.to_radians()],
-                    speeds_mps: [f64::NAN; 2],
-                    angle_rad: f64::NAN,
-                });
+                push(
+                    log,
+                    LogRow {
+                        line: number,
+                        t_s: sent_s(received_s, report.second),
+                        readings: [north_m, east_m, heading_deg.to_radians()],
+                        speeds_mps: [f64::NAN; 2],
+                        angle_rad: f64::NAN,
+                    },
+                );
             }
             Ok(_) => {}
         }

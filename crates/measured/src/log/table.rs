@@ -66,8 +66,8 @@ fn try_read(
         let why = "the first line must name the columns, but it holds numbers";
         return Err((Some(head_line), why.to_owned()));
     }
-    let columns = Columns::find(&heads, mapping, remarks, head_line)
-        .map_err(|why| (Some(head_line), why))?;
+    let columns =
+        Columns::find(&heads, mapping, remarks, head_line).map_err(|why| (Some(head_line), why))?;
     let kind = kind.unwrap_or(match columns.has(Quantity::Latitude) {
         true => LogKind::Track,
         false => LogKind::Docking,
@@ -240,7 +240,9 @@ impl<'a> RowReader<'a> {
             angle_rad: of(Quantity::Angle),
         });
         let kept = self.columns.kept.iter();
-        log.kept.push(kept.map(|place| record.get(*place).unwrap_or_default().trim().to_owned()).collect());
+        log.kept.push(
+            kept.map(|place| record.get(*place).unwrap_or_default().trim().to_owned()).collect(),
+        );
         let name = self.cell(record, Quantity::Ship).unwrap_or_default();
         let index = log.names.iter().position(|own| own == name).unwrap_or_else(|| {
             log.names.push(name.to_owned());
@@ -292,7 +294,10 @@ impl<'a> RowReader<'a> {
         };
         let steps = [
             step(GeoPoint { latitude_deg: place.latitude_deg - latitude.1.to_degrees(), ..place }),
-            step(GeoPoint { longitude_deg: place.longitude_deg - longitude.1.to_degrees(), ..place }),
+            step(GeoPoint {
+                longitude_deg: place.longitude_deg - longitude.1.to_degrees(),
+                ..place
+            }),
             heading.1,
         ];
         ([north_m, east_m, heading.0], steps)
@@ -302,21 +307,35 @@ impl<'a> RowReader<'a> {
     ///
     /// # Errors
     /// Fails for a log without a usable row, and for one of several berths where the mapping does not say which.
-    fn finish(self, log: &mut Log, mapping: &Mapping, remarks: &mut Remarks) -> Result<(), Refusal> {
+    fn finish(
+        self,
+        log: &mut Log,
+        mapping: &Mapping,
+        remarks: &mut Remarks,
+    ) -> Result<(), Refusal> {
         let counted = self.counted;
         let rows = Weight::Rows;
         let slashes = "row has a time that cannot be read";
         let help = match self.clock.day_first {
-            None => "rows have a time that cannot be read; the mapping's `dates` says whether day or month comes first",
+            None => {
+                "rows have a time that cannot be read; the mapping's `dates` says whether day or month comes first"
+            }
             Some(_) => "rows have a time that cannot be read",
         };
         counted.times.tell(remarks, rows, slashes, help);
         let (one, many) = match log.kind {
-            LogKind::Docking => ("row without the distance of a sensor", "rows without the distance of a sensor"),
+            LogKind::Docking => {
+                ("row without the distance of a sensor", "rows without the distance of a sensor")
+            }
             _ => ("row without a position or heading", "rows without a position or heading"),
         };
         counted.lost.tell(remarks, rows, one, many);
-        counted.outside.tell(remarks, rows, "position outside the earth", "positions outside the earth");
+        counted.outside.tell(
+            remarks,
+            rows,
+            "position outside the earth",
+            "positions outside the earth",
+        );
         let of = mapping.berth.as_deref().unwrap_or_default();
         counted.elsewhere.tell(
             remarks,

@@ -18,9 +18,7 @@ use fenderline_keys::units::measures as unit;
 use fenderline_keys::units::{self, Dimension};
 use fenderline_keys::{reader, syntax};
 
-use self::keys::{
-    ColumnsKey, MAPPING, MappingKey, OriginKey, SensorKey, ShipKey, UnitsKey,
-};
+use self::keys::{ColumnsKey, MAPPING, MappingKey, OriginKey, SensorKey, ShipKey, UnitsKey};
 use crate::log::{LogKind, Quantity};
 
 type Read<T> = Result<T, ScenarioError>;
@@ -119,7 +117,9 @@ impl Mapping {
             zone_s(entry.text()).ok_or_else(|| {
                 let message = format!("\"{}\" is no time zone", entry.text());
                 let error = sources.error(&entry.span, MappingKey::TIME_ZONE.name(), message);
-                error.with_help("write hours and minutes east of Greenwich, as \"+02:00\", or \"UTC\"")
+                error.with_help(
+                    "write hours and minutes east of Greenwich, as \"+02:00\", or \"UTC\"",
+                )
             })
         });
         let origin = file.item(MappingKey::ORIGIN).map(|entry| {
@@ -190,9 +190,9 @@ fn columns(file: Of<'_, MappingKey>) -> BTreeMap<Quantity, String> {
         (ColumnsKey::HEADING, Quantity::Heading),
         (ColumnsKey::RATE_OF_TURN, Quantity::RateOfTurn),
     ];
-    let named = keys.into_iter().filter_map(|(key, quantity)| {
-        Some((quantity, table.item(key)?.text().to_owned()))
-    });
+    let named = keys
+        .into_iter()
+        .filter_map(|(key, quantity)| Some((quantity, table.item(key)?.text().to_owned())));
     named.collect()
 }
 

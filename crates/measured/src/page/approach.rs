@@ -57,7 +57,8 @@ fn distances(own: &Berthing) -> Markup {
         .enumerate()
         .map(|(style, (name, line))| Series::dots(name, points(line, 1.0)).styled(style))
         .collect();
-    series.push(Series::line("hull to the nearest fender", points(&own.curves.gap_m, 1.0)).styled(6));
+    series
+        .push(Series::line("hull to the nearest fender", points(&own.curves.gap_m, 1.0)).styled(6));
     let touch = vec![Point { x: 0.0, y: 0.0 }];
     series.push(Series::marks("first touch", touch).styled(1));
     Chart {

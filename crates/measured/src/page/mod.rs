@@ -4,7 +4,7 @@ mod approach;
 mod cloud;
 mod used;
 
-use fenderline_report::plot::{counted, fixed, page as whole_page, significant};
+use fenderline_report::plot::{counted, fixed, page as whole_page};
 use fenderline_report::{Head, table_head};
 use maud::{Markup, html};
 
@@ -85,7 +85,7 @@ fn headline(berthings: &Berthings) -> Markup {
             }
             @if let Some((own, run)) = hardest {
                 p class="headline" {
-                    span class="label" { "Most energy" } strong { (significant(run.energy_j.value / 1e3, 3)) " ± " (significant(2.0 * run.energy_j.sd / 1e3, 2)) " kJ" }
+                    span class="label" { "Most energy" } strong { (fixed(run.energy_j.value / 1e3, 0)) " ± " (band(run.energy_j.sd / 1e3, 0)) " kJ" }
                     " in the first hit of berthing " (number(own)) ", " (own.ship)
                 }
             }
@@ -126,10 +126,15 @@ fn remarks(berthings: &Berthings) -> Markup {
     }
 }
 
+/// Two standard deviations; a question mark if the deviation is not known.
+fn band(sd: f64, decimals: usize) -> String {
+    if sd.is_finite() { fixed(2.0 * sd, decimals) } else { "?".to_owned() }
+}
+
 /// A value with two standard deviations.
 fn with_band(value: Uncertain, factor: f64, decimals: usize) -> Markup {
     html! {
-        td class="number" { (fixed(value.value * factor, decimals)) small { "± " (fixed(2.0 * value.sd * factor, decimals)) } }
+        td class="number" { (fixed(value.value * factor, decimals)) small { "± " (band(value.sd * factor, decimals)) } }
     }
 }
 
@@ -182,7 +187,8 @@ fn list(berthings: &Berthings) -> Markup {
 }
 
 fn methods(of: &Page<'_>, berthings: &Berthings) -> Markup {
-    let mut flags: Vec<Flag> = berthings.all.iter().flat_map(|own| own.flags.iter().copied()).collect();
+    let mut flags: Vec<Flag> =
+        berthings.all.iter().flat_map(|own| own.flags.iter().copied()).collect();
     flags.sort_unstable();
     flags.dedup();
     let has_ais = berthings.all.iter().any(|own| own.kind == LogKind::Ais);

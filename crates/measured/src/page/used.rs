@@ -8,7 +8,8 @@ use crate::berthing::Berthings;
 /// The section with the largest use of each fender, and how often it was the first and the most used.
 pub(super) fn section(berthings: &Berthings) -> Markup {
     let Some(berth) = berthings.berths.first() else { return html! {} };
-    let runs: Vec<_> = berthings.all.iter().filter_map(|own| Some((own, own.run.as_ref().ok()?))).collect();
+    let runs: Vec<_> =
+        berthings.all.iter().filter_map(|own| Some((own, own.run.as_ref().ok()?))).collect();
     let groups = berth.setup.fenders.iter().enumerate().map(|(index, fender)| {
         let rated = fender.rated;
         let most = |of: &dyn Fn(&crate::run::FenderUse) -> f64, whole: Option<f64>| {

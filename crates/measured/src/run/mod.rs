@@ -42,7 +42,7 @@ pub struct Rerun {
     pub speed_mps: f64,
     /// Index of the first fender of the run in the set-up's fenders.
     pub fender: usize,
-    /// Energy of all fenders in the first hit (J).
+    /// Energy of all fenders in the first hit (J). The deviation is NaN if a state within it leads to no touch.
     pub energy_j: Uncertain,
     /// Berthing energy by the formula of the scenario's `[berthing]`, with the measured speed (J).
     pub formula_j: Uncertain,
@@ -76,15 +76,16 @@ pub(crate) fn rerun(
 ) -> Result<Rerun, String> {
     let starts = starts(way, axes, touch, run_from_m)?;
     let mut setup = water_only(setup);
-    setup.duration_s = fenderline_contact::number::lesser(2.0 * starts.until_touch_s, LONGEST_S) + AFTER_S;
+    setup.duration_s =
+        fenderline_contact::number::lesser(2.0 * starts.until_touch_s, LONGEST_S) + AFTER_S;
     let mut simulation = begun(&mut setup, axes, &starts.measured)?;
     run_to_end(&mut simulation, false)?;
     let own = outcome(&simulation)?;
     let mut variance = 0.0;
     for motion in &starts.beside {
-        let mut other = begun(&mut setup, axes, motion)?;
-        run_to_end(&mut other, true)?;
-        let by_j = outcome(&other)?.energy_j - own.energy_j;
+        // A state beside the measured one that leads to no touch leaves the deviation unknown.
+        let by_j = energy_of(&mut setup, axes, motion)
+            .map_or(f64::NAN, |energy_j| energy_j - own.energy_j);
         variance += by_j * by_j;
     }
     let setup = simulation.setup();
@@ -100,11 +101,25 @@ pub(crate) fn rerun(
         speed_mps: own.speed_mps,
         fender: own.fender,
         energy_j: Uncertain { value: own.energy_j, sd: libm::sqrt(variance) },
-        formula_j: Uncertain { value: formula_j, sd: 2.0 * formula_j * speed.sd / speed.value.abs() },
+        formula_j: Uncertain {
+            value: formula_j,
+            sd: 2.0 * formula_j * speed.sd / speed.value.abs(),
+        },
         fenders,
         verdict: Verdict::of(&findings),
         exceeded: asks.map(|own| own.sentence(setup)).collect(),
     })
+}
+
+/// Energy of the first hit of a run from a state (J).
+fn energy_of(
+    setup: &mut Setup,
+    axes: &BerthAxes,
+    motion: &crate::geometry::Motion,
+) -> Result<f64, String> {
+    let mut simulation = begun(setup, axes, motion)?;
+    run_to_end(&mut simulation, true)?;
+    Ok(outcome(&simulation)?.energy_j)
 }
 
 fn begun(
@@ -115,7 +130,8 @@ fn begun(
     let mut start = setup.start();
     start.bodies[axes.ship] = axes.start_of(motion);
     setup.set_start(&start);
-    Simulation::new(setup.clone()).map_err(|error| format!("the run from the measured state: {error}"))
+    Simulation::new(setup.clone())
+        .map_err(|error| format!("the run from the measured state: {error}"))
 }
 
 /// Steps to the end of the run, or to the end of the first hit.

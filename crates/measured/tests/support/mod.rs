@@ -15,8 +15,7 @@ use rand_chacha::rand_core::{Rng as _, SeedableRng as _};
 pub(crate) const BERTH: &str = include_str!("../../../../examples/measured/berth.toml");
 
 /// Where the sensors stand.
-pub(crate) const SENSORS: &str =
-    "bow_sensor = { place = \"40 m\" }\nstern_sensor = { place = \"-40 m\" }\ntime_zone = \"UTC\"\n";
+pub(crate) const SENSORS: &str = "bow_sensor = { place = \"40 m\" }\nstern_sensor = { place = \"-40 m\" }\ntime_zone = \"UTC\"\n";
 
 /// 1 June 2025, 10:00 UTC.
 pub(crate) const START_S: f64 = 1_748_772_000.0;
@@ -75,7 +74,8 @@ pub(crate) fn berth() -> Berth {
 
 /// The berth with the scenario changed.
 pub(crate) fn berth_for(changes: &[Override]) -> Result<Berth, BerthError> {
-    let scenario = Scenario::parse_with(BERTH, "berth.toml", changes).map_err(BerthError::Scenario)?;
+    let scenario =
+        Scenario::parse_with(BERTH, "berth.toml", changes).map_err(BerthError::Scenario)?;
     Berth::new(scenario.setup, &Mapping::default()).map_err(BerthError::Lacks)
 }
 
@@ -83,7 +83,8 @@ pub(crate) fn berth_for(changes: &[Override]) -> Result<Berth, BerthError> {
 pub(crate) fn drawn(random: &mut Random) -> Approach {
     let berth = berth();
     let angle_rad = random.between(-3.0, 3.0).to_radians();
-    let lie = Lie { along_m: berth.axes.start.along_m + 0.7 * random.normal(), off_m: 15.0, angle_rad };
+    let lie =
+        Lie { along_m: berth.axes.start.along_m + 0.7 * random.normal(), off_m: 15.0, angle_rad };
     let nearest = berth.axes.nearest(&lie).expect("abreast");
     let lie = Lie { off_m: lie.off_m + 10.0 - nearest.gap_m, ..lie };
     let rates = [
@@ -188,7 +189,9 @@ pub(crate) fn distances(berth: &Berth, states: &[BodyState], index: usize) -> Op
 /// The log of a docking system: a row a second, distances and speeds in steps of 1 cm and 1 cm/s.
 pub(crate) fn docking_log(approach: &Approach, laser: Laser, random: &mut Random) -> String {
     let berth = berth();
-    let mut text = String::from("Time,Bow distance (m),Stern distance (m),Bow speed (cm/s),Stern speed (cm/s)\n");
+    let mut text = String::from(
+        "Time,Bow distance (m),Stern distance (m),Bow speed (cm/s),Stern speed (cm/s)\n",
+    );
     let touch_s = approach.truth.t_s;
     let pause_s = touch_s - random.between(8.0, 25.0);
     let phase = (random.share() * 10.0) as usize;
@@ -205,7 +208,8 @@ pub(crate) fn docking_log(approach: &Approach, laser: Laser, random: &mut Random
             if random.share() < laser.lost {
                 return String::new();
             }
-            let wrong = if random.share() < laser.outliers { random.between(-4.0, 4.0) } else { 0.0 };
+            let wrong =
+                if random.share() < laser.outliers { random.between(-4.0, 4.0) } else { 0.0 };
             format!("{:.2}", metres + laser.noise_m * random.normal() + wrong)
         };
         let (bow, stern) = (reading(bow), reading(stern));
@@ -239,7 +243,8 @@ pub(crate) fn track_log(approach: &Approach, noise_m: f64, random: &mut Random) 
     let mut text = String::from("time,lat,lon,heading\n");
     for (index, state) in approach.states.iter().enumerate().step_by(2) {
         let at = state.position_m + Rotation::from_angle(state.heading_rad).apply(ANTENNA_M);
-        let place = origin.place(at.x + noise_m * random.normal(), at.y + noise_m * random.normal());
+        let place =
+            origin.place(at.x + noise_m * random.normal(), at.y + noise_m * random.normal());
         let heading_deg = state.heading_rad.to_degrees() + 0.02 * random.normal();
         let _ = writeln!(
             text,

@@ -99,9 +99,10 @@ impl AisReader {
             self.open.push(Parts { key, of, letters: letters.to_owned(), next: 2 });
             return Ok(Told::Part);
         }
-        let place = self.open.iter().position(|parts| {
-            parts.key == key && parts.of == of && parts.next == number
-        });
+        let place = self
+            .open
+            .iter()
+            .position(|parts| parts.key == key && parts.of == of && parts.next == number);
         let place = place.ok_or(SentenceFault::Field("part without the parts before it"))?;
         let parts = &mut self.open[place];
         parts.letters.push_str(letters);
@@ -229,7 +230,8 @@ mod tests {
         assert_eq!((report.speed_mps, report.course_deg), (Some(0.0), Some(51.0)));
         assert_eq!((report.heading_deg, report.turn_deg_per_min), (Some(181.0), Some(0.0)));
         let told = read(&[
-            "!AIVDM,2,1,1,A,55?MbV02;H;s<HtKR20EHE:0@T4@Dn2222222216L961O5Gf0NSQEp6ClRp8,0*1C".into(),
+            "!AIVDM,2,1,1,A,55?MbV02;H;s<HtKR20EHE:0@T4@Dn2222222216L961O5Gf0NSQEp6ClRp8,0*1C"
+                .into(),
             "!AIVDM,2,2,1,A,88888888880,2*25".into(),
         ]);
         let Told::Static(data) = told else { panic!("static data") };
