@@ -1,7 +1,7 @@
 """Makes up the logs of this folder: three docking logs of different layouts, an NMEA 0183 log and an AIS log.
 
 Run `python3 examples/measured/make_logs.py` in the folder of the sources; it needs no package. The ship is that of
-berth.toml. She comes to the fenders with a speed that falls towards the touch, and lies down on them within seconds.
+berth.toml. She comes to the fenders with a speed that falls towards the touch, and comes to rest on them.
 Noise, rounding, pauses and wrong readings are drawn with fixed seeds, so the script writes the same bytes every time.
 """
 
@@ -13,7 +13,7 @@ import random
 HERE = pathlib.Path(__file__).parent
 # Of berth.toml, in the axes of the berth: hull (forward, towards the quay), fenders along the quay.
 HULL = [(92, 0), (86, 6.5), (74, 12.5), (58, 15), (-68, 15), (-84, 13.5), (-93, 9)]
-FENDERS = [-60, -36, -12, 12, 36, 60]
+FENDERS = [-36, -12, 12, 36]
 HALF_WIDTH = 1.2
 # The faces of the fenders stand 1.9 m in front of the quay, which runs north; the water is west of it.
 FACES_EAST = -1.9
@@ -53,11 +53,12 @@ def approach(off_m, first_mps, touch_mps, angle_deg, turn_deg_per_min, along_mps
             # She slows down towards the touch as a ship does that is stopped by tugs.
             share = max(left, 0) / whole
             speed = touch_mps + (first_mps - touch_mps) * share
-            poses.append((s + along_mps * step_s, off - speed * step_s, angle + turn * step_s))
         else:
-            # Onto the fenders: within seconds parallel to the quay and 4 cm into the rubber.
-            settle = 1 - math.exp(-step_s / 9)
-            poses.append((s + 0.2 * along_mps * step_s, off + (14.96 - off) * settle, angle - angle * settle))
+            # Onto the fenders: parallel to the quay and 6 cm into the rubber.
+            speed += step_s * (0.0225 * (off - 14.94) - 0.3 * speed)
+            turn -= step_s * (0.0225 * angle + 0.3 * turn)
+            along_mps *= 1 - 0.05 * step_s
+        poses.append((s + along_mps * step_s, off - speed * step_s, angle + turn * step_s))
     return poses, touch
 
 
@@ -203,7 +204,7 @@ def nmea():
         lines.append(sentence("$", f"TIROT,{turn:.1f},A"))
         lines.append(sentence("$", "GPVTG,270.0,T,,M,0.20,N,0.37,K,R"))
     # A line that was cut.
-    lines[57] = lines[57][:20]
+    lines[57] = lines[57][:9]
     (HERE / "pilot_unit.nmea").write_text("\r\n".join(lines) + "\r\n")
 
 

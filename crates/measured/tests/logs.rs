@@ -68,6 +68,7 @@ fn an_nmea_and_an_ais_log_are_read() {
         nmea.remarks
     );
     let ais = example!("ais.nmea", "ais.toml");
+    assert_eq!(ais.all.len(), 1, "{:?}", ais.remarks);
     let own = &ais.all[0];
     // AIS alone is coarse: the stated deviation covers the truth, and is wide.
     assert!((own.touch.centre_mps.value - 0.13).abs() < 3.0 * own.touch.centre_mps.sd, "{own:?}");

@@ -13,8 +13,12 @@ const LEFT_M: f64 = 5.0;
 const NEAR_M: f64 = 20.0;
 /// Largest constant error of a track square to the quay that is taken out (m).
 const MOST_ZERO_M: f64 = 15.0;
-/// A ship lies at rest if the medians of her last readings differ by less than this (m).
+/// A ship lies at rest if the medians of two lengths of time that follow each other differ by less than this (m).
 const REST_M: f64 = 0.3;
+/// She is at the fenders from this number of deviations on.
+const SCATTER: f64 = 2.5;
+/// She must lie at rest for this long (s).
+const REST_S: f64 = 180.0;
 /// Fewest rows at rest.
 const REST_ROWS: usize = 9;
 /// A track whose rest is nearer than this to the fenders is not moved (m).
@@ -53,7 +57,7 @@ pub(crate) fn find(channels: &Channels, axes: &BerthAxes) -> Found {
     let first = gaps.iter().find(|gap| gap.is_finite());
     let is_alongside_at_start = first.is_some_and(|gap| *gap <= ARMED_M);
     let ways = match channels.source {
-        Source::Sensors(_) => touches(&gaps, 0, gaps.len())
+        Source::Sensors(_) => touches(&gaps, 0, gaps.len(), 0.0)
             .into_iter()
             .map(|(from, touch)| Way { channels: channels.clone(), from, touch, zero_m: None })
             .collect(),
@@ -88,8 +92,9 @@ pub(crate) fn median(mut values: Vec<f64>) -> f64 {
     values[values.len() / 2]
 }
 
-/// First rows of the ways and rows of the touches between two rows.
-fn touches(gaps: &[f64], from: usize, to: usize) -> Vec<(usize, usize)> {
+/// First rows of the ways and rows of the touches between two rows. A ship is at the fenders from the distance
+/// `level_m` on.
+fn touches(gaps: &[f64], from: usize, to: usize, level_m: f64) -> Vec<(usize, usize)> {
     let mut all = Vec::new();
     let (mut start, mut is_armed, mut has_touched) = (from, false, false);
     for (row, gap) in gaps.iter().enumerate().take(to).skip(from) {
@@ -99,7 +104,7 @@ fn touches(gaps: &[f64], from: usize, to: usize) -> Vec<(usize, usize)> {
             }
             is_armed = true;
         }
-        if is_armed && *gap <= 0.0 {
+        if is_armed && *gap <= level_m {
             all.push((start, row));
             (is_armed, has_touched) = (false, true);
         }
@@ -120,10 +125,15 @@ fn ways_of_track(channels: &Channels, gaps: &[f64]) -> Vec<Way> {
         }
         let is_left = |gap: &f64| *gap >= NEAR_M;
         let end = gaps[row..].iter().position(is_left).map_or(gaps.len(), |count| row + count);
-        let zero_m = rest(&gaps[row..end]).filter(|rest| rest.abs() > LEAST_ZERO_M);
+        let rest = rest(&gaps[row..end], &channels.t_s[row..end]);
+        let rest = rest.filter(|rest| rest.at_m.abs() > LEAST_ZERO_M);
+        let zero_m = rest.map(|rest| rest.at_m);
         let shift_m = zero_m.unwrap_or(0.0);
+        // Where a track scatters, nobody sees when she reaches the place of her rest: the parabola ends before, and
+        // goes on to the fender.
+        let level_m = rest.map_or(0.0, |rest| LEAST_ZERO_M + SCATTER * rest.deviation_m);
         let moved: Vec<f64> = gaps.iter().map(|gap| gap - shift_m).collect();
-        for (start, touch) in touches(&moved, from, end) {
+        for (start, touch) in touches(&moved, from, end, level_m) {
             let mut own = channels.clone();
             for readings in &mut own.readings {
                 readings[1] -= shift_m;
@@ -141,14 +151,35 @@ fn ways_of_track(channels: &Channels, gaps: &[f64]) -> Vec<Way> {
     ways
 }
 
-/// The distance from the fenders at which a ship rests at the end of some rows; `None` if she does not rest there.
-fn rest(gaps: &[f64]) -> Option<f64> {
-    let known: Vec<f64> = gaps.iter().copied().filter(|gap| gap.is_finite()).collect();
-    let third = known.len() / 3;
-    if third < REST_ROWS {
-        return None;
+/// Where a ship rests.
+#[derive(Clone, Copy, Debug)]
+struct Rest {
+    /// Distance from the fenders (m).
+    at_m: f64,
+    /// Scatter of that distance (m).
+    deviation_m: f64,
+}
+
+/// Where a ship first rests in some rows; `None` if she does not rest there. The errors of a track wander, so the rest
+/// soon after she came tells more than a later one.
+fn rest(gaps: &[f64], t_s: &[f64]) -> Option<Rest> {
+    let is_known = |own: &(&f64, &f64)| own.0.is_finite();
+    let (known, times): (Vec<f64>, Vec<f64>) = gaps.iter().zip(t_s).filter(is_known).unzip();
+    let mut from = 0;
+    while from < known.len() {
+        let rows = |since_s: f64| times.partition_point(|t_s| *t_s < times[from] + since_s) - from;
+        let half = rows(0.5 * REST_S).max(REST_ROWS);
+        let whole = rows(REST_S).max(2 * REST_ROWS);
+        if from + whole >= known.len() {
+            return None;
+        }
+        let before = median(known[from..from + half].to_vec());
+        let at_m = median(known[from + half..from + whole].to_vec());
+        if (before - at_m).abs() < REST_M && at_m.abs() < MOST_ZERO_M {
+            let off = known[from + half..from + whole].iter().map(|gap| (gap - at_m).abs());
+            return Some(Rest { at_m, deviation_m: 1.4826 * median(off.collect()) });
+        }
+        from += (half / 4).max(1);
     }
-    let last = median(known[known.len() - third / 2..].to_vec());
-    let before = median(known[known.len() - third..known.len() - third / 2].to_vec());
-    ((last - before).abs() < REST_M && last.abs() < MOST_ZERO_M).then_some(last)
+    None
 }

@@ -1,6 +1,6 @@
 //! The state of the ship at the first touch.
 
-use fenderline_contact::number::{bounded, greater};
+use fenderline_contact::number::{bounded, greater, lesser};
 
 use super::Uncertain;
 use super::channels::{Channels, Source};
@@ -119,7 +119,9 @@ pub(crate) fn touch(
     let mut t_s = first_s;
     let mut fit = None;
     for _ in 0..ROUNDS {
-        let of = channels.parabolas(t_s - bandwidth_s, t_s, t_s).ok_or_else(few)?;
+        // No reading after the touch: the fender has slowed the ship by then.
+        let to_s = lesser(t_s, first_s);
+        let of = channels.parabolas(to_s - bandwidth_s, to_s, t_s).ok_or_else(few)?;
         let own = values(channels, axes, &of, t_s, 0.5 * bandwidth_s).ok_or_else(no_touch)?;
         let is_settled = (own.t_s - t_s).abs() < 1e-3;
         let next_s = bounded(own.t_s, first_s - bandwidth_s, first_s + bandwidth_s);

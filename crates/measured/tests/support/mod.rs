@@ -79,49 +79,63 @@ pub(crate) fn berth_for(changes: &[Override]) -> Result<Berth, BerthError> {
     Berth::new(scenario.setup, &Mapping::default()).map_err(BerthError::Lacks)
 }
 
+/// Deviation of a ship's place along the quay when she berths (m).
+pub(crate) const PLACE_SD_M: f64 = 0.2;
+
 /// A drawn approach: speed 6 to 20 cm/s at the start 10 m off, angle up to 3°, rate of turn up to 0.3°/min.
 pub(crate) fn drawn(random: &mut Random) -> Approach {
     let berth = berth();
     let angle_rad = random.between(-3.0, 3.0).to_radians();
-    let lie =
-        Lie { along_m: berth.axes.start.along_m + 0.7 * random.normal(), off_m: 15.0, angle_rad };
+    let speed_mps = random.between(0.06, 0.20);
+    let along_mps = 0.02 * random.normal();
+    // She goes on along the quay until she touches.
+    let along_m =
+        berth.axes.start.along_m + PLACE_SD_M * random.normal() - along_mps * 10.0 / speed_mps;
+    let lie = Lie { along_m, off_m: 15.0, angle_rad };
     let nearest = berth.axes.nearest(&lie).expect("abreast");
     let lie = Lie { off_m: lie.off_m + 10.0 - nearest.gap_m, ..lie };
-    let rates = [
-        0.02 * random.normal(),
-        -random.between(0.06, 0.20),
-        random.between(-0.3, 0.3).to_radians() / 60.0,
-    ];
-    run(&Motion { lie, rates })
+    run(&Motion {
+        lie,
+        rates: [along_mps, -speed_mps, random.between(-0.3, 0.3).to_radians() / 60.0],
+    })
 }
+
+/// Steps of a run in 0.1 s.
+const FINER: usize = 5;
 
 /// The run from a state, driven by nothing but the water.
 pub(crate) fn run(motion: &Motion) -> Approach {
     let berth = berth();
     let mut setup = berth.setup.clone();
     setup.duration_s = 400.0;
+    // Finer than the run from the measured state: the engine says where she touches at the end of a step.
+    setup.step_s = 0.1 / FINER as f64;
     let mut start = setup.start();
     start.bodies[berth.axes.ship] = berth.axes.start_of(motion);
     setup.set_start(&start);
     let mut simulation = Simulation::new(setup).expect("a simulation");
     let mut states = vec![simulation.states()[berth.axes.ship]];
-    let mut touched: Option<(usize, Vec2)> = None;
+    let mut touched: Option<(usize, BodyState, Vec2)> = None;
+    let mut steps = 0_usize;
     while !simulation.is_done() {
+        let before = simulation.states()[berth.axes.ship];
         let record = simulation.step().expect("a step");
         if touched.is_none()
             && let Some(contact) = record.contacts.iter().find(|contact| contact.fender.is_some())
         {
             let own = contact.body_1.0 as usize == berth.axes.ship;
             let arm_m = if own { contact.arm_1_m } else { contact.arm_2_m };
-            touched = Some((states.len() - 1, arm_m));
+            touched = Some((steps, before, arm_m));
         }
-        states.push(record.states_after[berth.axes.ship]);
-        if touched.is_some_and(|(index, _)| states.len() > index + 600) {
+        steps += 1;
+        if steps.is_multiple_of(FINER) {
+            states.push(record.states_after[berth.axes.ship]);
+        }
+        if touched.is_some_and(|(index, ..)| steps > index + 600 * FINER) {
             break;
         }
     }
-    let (index, arm_m) = touched.expect("she touches");
-    let state = states[index];
+    let (index, state, arm_m) = touched.expect("she touches");
     let first = simulation
         .fender_summaries()
         .min_by(|one, other| one.first_touch_s.total_cmp(&other.first_touch_s))
@@ -132,7 +146,7 @@ pub(crate) fn run(motion: &Motion) -> Approach {
     let ahead = Rotation::from_angle(state.heading_rad).apply_inverse(arm_m);
     Approach {
         truth: Truth {
-            t_s: index as f64 * 0.1,
+            t_s: index as f64 * 0.1 / FINER as f64,
             speed_mps: first.approach_speed_mps,
             angle_rad: lie.angle_rad,
             along_m: at[0],
