@@ -144,11 +144,12 @@ pub fn berthings(
             }
         }
         if !strangers.is_empty() {
-            let text = format!(
-                "left out: {} of AIS that the mapping does not name and that are not as long as the scenario's ship: {}",
-                fenderline_report::plot::counted(strangers.len() as u64, "ship", "ships"),
-                strangers.join(", ")
-            );
+            let why = match mapping.ships.is_empty() {
+                true => "not known to be as long as the scenario's ship",
+                false => "not named by the mapping",
+            };
+            let count = fenderline_report::plot::counted(strangers.len() as u64, "ship", "ships");
+            let text = format!("left out: {count} of AIS, {why}: {}", strangers.join(", "));
             own.add(Weight::Rows, None, text);
         }
         let kept = without_two_at_once(of_file, &mut own);

@@ -63,7 +63,7 @@ fn distances(own: &Berthing) -> Markup {
     series.push(Series::marks("first touch", touch).styled(1));
     Chart {
         title: "Distance".to_owned(),
-        x: Axis::new("time from the first touch", "s").tight(),
+        x: time_axis(own),
         y: Axis::new("distance", "m").including(0.0),
         series,
         references: Vec::new(),
@@ -71,6 +71,13 @@ fn distances(own: &Berthing) -> Markup {
         note: String::new(),
     }
     .render()
+}
+
+/// The same times for both charts.
+fn time_axis(own: &Berthing) -> Axis {
+    let lines = own.curves.readings.iter().map(|(_, line)| line).chain([&own.curves.speed_mps]);
+    let axis = Axis::new("time from the first touch", "s").tight();
+    lines.flatten().fold(axis, |axis, (t_s, _)| axis.including(*t_s))
 }
 
 fn speeds(own: &Berthing) -> Markup {
@@ -83,7 +90,7 @@ fn speeds(own: &Berthing) -> Markup {
     }
     Chart {
         title: "Speed of the point of contact towards the quay".to_owned(),
-        x: Axis::new("time from the first touch", "s").tight(),
+        x: time_axis(own),
         y: Axis::new("speed", "cm/s").including(0.0),
         series: vec![
             Series::band(

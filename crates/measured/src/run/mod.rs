@@ -13,8 +13,9 @@ use crate::geometry::BerthAxes;
 use self::start::starts;
 pub(crate) use self::water::water_only;
 
-/// The run lasts this long after the touch that the start leads to (s), so that the other end of the ship lands too.
-const AFTER_S: f64 = 120.0;
+/// The run lasts this long after the measured touch (s), so that the other end of the ship lands too. Later the ship would
+/// drift without the lines and tugs that hold her.
+const AFTER_S: f64 = 60.0;
 /// Longest way to the touch (s).
 const LONGEST_S: f64 = 1800.0;
 
@@ -77,7 +78,7 @@ pub(crate) fn rerun(
     let starts = starts(way, axes, touch, run_from_m)?;
     let mut setup = water_only(setup);
     setup.duration_s =
-        fenderline_contact::number::lesser(2.0 * starts.until_touch_s, LONGEST_S) + AFTER_S;
+        fenderline_contact::number::lesser(starts.until_touch_s, LONGEST_S) + AFTER_S;
     let mut simulation = begun(&mut setup, axes, &starts.measured)?;
     run_to_end(&mut simulation, false)?;
     let own = outcome(&simulation)?;
