@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use fenderline_keys::units::measures as unit;
 use fenderline_scenario::nearest;
 
-use super::Quantity;
 use super::column::{Column, Title};
+use super::row::Quantity;
 use crate::mapping::{Mapping, factor_of};
 use crate::remark::{Remarks, Weight};
 

@@ -8,8 +8,8 @@ use fenderline_nautical::read::{
 use fenderline_nautical::{ChartOrigin, GeoPoint};
 
 use super::clock::{Clock, Moment, days};
+use super::row::{Log, LogKind, LogRow};
 use super::table::NO_ORIGIN;
-use super::{Log, LogKind, LogRow};
 use crate::mapping::Mapping;
 use crate::remark::{Remarks, Tally, Weight};
 

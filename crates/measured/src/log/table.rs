@@ -5,7 +5,7 @@ use fenderline_nautical::{ChartOrigin, GeoPoint};
 use super::clock::{Clock, Moment};
 use super::column::number;
 use super::columns::Columns;
-use super::{Log, LogKind, LogRow, Quantity};
+use super::row::{Log, LogKind, LogRow, Quantity};
 use crate::mapping::Mapping;
 use crate::remark::{Remarks, Tally, Weight};
 
