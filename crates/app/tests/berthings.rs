@@ -56,7 +56,7 @@ fn a_log_gives_a_table_and_a_report_and_the_table_goes_on() {
     place.write(
         "campaign.toml",
         b"scenario = \"berth.toml\"\nnumber = 2\nset = [\"time.duration=1 s\"]\n[variable.speed]\n\
-          key = \"body.ship.velocity.sway\"\nfile = \"table.csv\"\ncolumn = \"speed\"\nunit = \"m/s\"\n",
+          key = \"body.ship.velocity.sway\"\ndistribution = \"empirical\"\nfile = \"table.csv\"\ncolumn = \"speed\"\nunit = \"m/s\"\n",
     );
     let campaign = place.run(&["check", "campaign.toml"]);
     assert_eq!(campaign.code, 0, "{}", campaign.stderr);

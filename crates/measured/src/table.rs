@@ -31,10 +31,13 @@ pub fn time_text(berthing: &Berthing) -> String {
     }
 }
 
+/// A function that gives the cell of a berthing.
+type CellOf = Box<dyn Fn(&Berthings, &Berthing) -> Cell>;
+
 /// A column of the table.
 struct Column {
     head: Head,
-    cell: Box<dyn Fn(&Berthings, &Berthing) -> Cell>,
+    cell: CellOf,
 }
 
 fn text(

@@ -119,7 +119,7 @@ fn ways_of_track(channels: &Channels, gaps: &[f64]) -> Vec<Way> {
     let mut from = 0;
     let mut row = 0;
     while row < gaps.len() {
-        if !(gaps[row] < NEAR_M) {
+        if gaps[row].is_nan() || gaps[row] >= NEAR_M {
             row += 1;
             continue;
         }

@@ -192,7 +192,8 @@ fn inverse(m: &[[f64; 3]; 3]) -> Option<[[f64; 3]; 3]> {
         m[a][c] * m[b][d] - m[a][d] * m[b][c]
     };
     let determinant: f64 = (0..3).map(|column| m[0][column] * minor(0, column)).sum();
-    if !(determinant.abs() > 1e-12 * m[0][0] * m[0][0] * m[0][0]) {
+    let least = 1e-12 * m[0][0] * m[0][0] * m[0][0];
+    if determinant.is_nan() || determinant.abs() <= least {
         return None;
     }
     let mut inverse = [[0.0; 3]; 3];

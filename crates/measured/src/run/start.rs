@@ -50,7 +50,7 @@ pub(super) fn starts(
         }
         let measured = motion_at(channels, axes, &of, t_s).ok_or(few)?;
         let nearest = axes.nearest(&measured.lie).ok_or(few)?;
-        if !(nearest.gap_m > 0.0) {
+        if nearest.gap_m <= 0.0 {
             return Err(few.to_owned());
         }
         let mut beside = Vec::new();
