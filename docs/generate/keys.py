@@ -1,4 +1,4 @@
-"""The reference of keys: every table of a scenario, campaign, fender or vessel file, from the JSON Schemas that the program prints.
+"""The reference of keys: every table of a scenario, campaign, mapping, fender or vessel file, from the JSON Schemas that the program prints.
 
 The program makes these schemas from the tables with which it reads the files, so that this reference cannot differ from
 what is read.
@@ -13,6 +13,7 @@ FILES = {
     "scenario": ("Scenario files", [], "A scenario file is TOML. It describes one run: bodies, materials, fenders, vessels, loads and orders."),
     "fenders": ("Fender files", ["fenders"], "A fender file is TOML. It adds families of fenders to those of the library."),
     "campaign": ("Campaign files", ["campaign"], "A campaign file is TOML. It names a scenario and what differs from run to run."),
+    "mapping": ("Mappings of measured berthings", ["mapping"], "A mapping is a TOML file. It says what the logs of `fenderline berthings` hold."),
     "vessels": ("Vessel files", ["vessels"], "A vessel file is TOML. It adds vessels to those of the library."),
 }
 

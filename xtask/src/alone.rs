@@ -35,8 +35,15 @@ const STUDY: &str = "scenario = \"berthing.toml\"\n\
 /// Berthing speeds for `statistics`.
 const SPEEDS: &str = "speed [cm/s]\n4.1\n5.2\n6.0\n6.3\n7.1\n7.4\n8.8\n9.9\n11.5\n15.2\n16.0\n";
 
+/// A log of berthings, and what `berthings` needs beside it.
+const MEASURED: [(&str, &str); 3] = [
+    ("examples/measured/laser.csv", "laser.csv"),
+    ("examples/measured/laser.toml", "laser.toml"),
+    ("examples/measured/berth.toml", "berth.toml"),
+];
+
 /// Commands of the program with their arguments, and the files that each command must write.
-const COMMANDS: [(&[&str], &[&str]); 21] = [
+const COMMANDS: [(&[&str], &[&str]); 22] = [
     (&["--version"], &[]),
     (&["run", "berthing.toml", "--out", "run"], &["run/report.html", "run/summary.json"]),
     (&["run", "vessels.toml", "--out", "vessels", "--format", "parquet"], &["vessels/report.html"]),
@@ -50,6 +57,21 @@ const COMMANDS: [(&[&str], &[&str]); 21] = [
     (
         &["statistics", "speeds.csv", "--column", "speed", "--per-year", "60", "--out", "speeds"],
         &["speeds/statistics.html", "speeds/statistics.json"],
+    ),
+    (
+        &[
+            "berthings",
+            "laser.csv",
+            "--berth",
+            "berth.toml",
+            "--mapping",
+            "laser.toml",
+            "-o",
+            "laser.parquet",
+            "--report",
+            "laser.html",
+        ],
+        &["laser.parquet", "laser.html"],
     ),
     (&["limit", "berthing.toml", "--key", "time.duration", "--from", "5 s", "--to", "10 s"], &[]),
     (&["manoeuvre", "kvlcc2", "turning"], &[]),
@@ -103,6 +125,9 @@ fn alone(profile: &str) -> Result<Done, String> {
     copy(&program, "fenderline")?;
     copy(Path::new(BERTHING), "berthing.toml")?;
     copy(Path::new(VESSELS), "vessels.toml")?;
+    for (from, name) in MEASURED {
+        copy(Path::new(from), name)?;
+    }
     for (name, text) in [("curve.csv", CURVE), ("study.toml", STUDY), ("speeds.csv", SPEEDS)] {
         std::fs::write(place.folder.join(name), text).map_err(|e| format!("{name}: {e}"))?;
     }

@@ -14,7 +14,7 @@ use crate::step::{Done, Step};
 pub(crate) const STEP: Step = Step { name: "no circles of files", run: circles };
 
 /// Folders of the crates that are scanned, which are all crates.
-const CRATES: [&str; 22] = [
+const CRATES: [&str; 23] = [
     "crates/contact",
     "crates/ship",
     "crates/world",
@@ -33,6 +33,7 @@ const CRATES: [&str; 22] = [
     "crates/serve",
     "crates/validate",
     "crates/campaign",
+    "crates/measured",
     "crates/app",
     "crates/wasm",
     "crates/python",

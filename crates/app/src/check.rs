@@ -137,6 +137,7 @@ pub(crate) fn schema(of: SchemaOf) -> Result<(), Failure> {
         SchemaOf::Fenders => fenderline_scenario::fender_schema(),
         SchemaOf::Campaign => fenderline_campaign::campaign_schema(),
         SchemaOf::Vessels => fenderline_scenario::vessel_schema(),
+        SchemaOf::Mapping => fenderline_measured::mapping_schema(),
     };
     say_json(&format!("{schema:#}\n"))
 }

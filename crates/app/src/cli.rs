@@ -52,6 +52,9 @@ pub(crate) enum Command {
     /// Statistics of a column of a table, such as measured berthing speeds: exceedance, fits and design values with
     /// their bands
     Statistics(StatisticsArgs),
+    /// Measured berthings from logs of docking systems, tracks and AIS: speed, angle and first fender at the touch with
+    /// their uncertainties, energies by formula and by a run from the measured state
+    Berthings(BerthingsArgs),
     /// Recompute published cases and compare them with the published numbers; exit code 1 if one is out of
     /// tolerance
     Validate(ValidateArgs),
@@ -69,7 +72,7 @@ pub(crate) enum Command {
     Fmu(FmuArgs),
     /// Print the columns of the result files with their units and meanings
     Columns(ColumnsArgs),
-    /// Print the JSON Schema of scenario, fender, vessel or campaign files
+    /// Print the JSON Schema of scenario, fender, vessel, campaign or mapping files
     Schema(SchemaArgs),
     /// Parse and check a scenario without running it
     Check(CheckArgs),
@@ -599,6 +602,38 @@ pub(crate) struct StatisticsArgs {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct BerthingsArgs {
+    /// Logs: tables of docking systems or of tracks, NMEA 0183 or AIS sentences
+    #[arg(value_name = "LOG", value_parser = input_file(), required = true)]
+    pub(crate) logs: Vec<PathBuf>,
+    /// Scenario of the berth, with its fenders, its ship and a [berthing]
+    #[arg(long, value_name = "BERTH.toml", value_parser = input_file())]
+    pub(crate) berth: PathBuf,
+    /// What the columns mean, where sensors and antenna stand, and which ship is which; `fenderline schema mapping`
+    /// lists the keys [default: all that can be guessed is guessed]
+    #[arg(long, value_name = "MAPPING.toml", value_parser = input_file())]
+    pub(crate) mapping: Option<PathBuf>,
+    /// Table to write, with a row a berthing: Parquet or csv, by the ending of the name [default: none]
+    #[arg(short, long, value_name = "TABLE.parquet|.csv", value_parser = table_file())]
+    pub(crate) out: Option<PathBuf>,
+    /// Report to write [default: none]
+    #[arg(long, value_name = "REPORT.html", value_parser = output_file())]
+    pub(crate) report: Option<PathBuf>,
+}
+
+/// Parses the path of a table to write, whose ending says the form.
+fn table_file() -> impl TypedValueParser<Value = PathBuf> {
+    let file = |path: PathBuf| {
+        let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
+        match ending {
+            Some(ending) if ending == "parquet" || ending == "csv" => Ok(path),
+            _ => Err("the name of the table must end in .parquet or .csv"),
+        }
+    };
+    PathBufValueParser::new().try_map(file)
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct ValidateArgs {
     /// Instead of the published cases, sweep every force over its whole domain and check continuity, mirror image, laws
     /// of physics and ratios to references; exit code 1 if a check fails
@@ -745,6 +780,8 @@ pub(crate) enum SchemaOf {
     Vessels,
     /// Campaigns
     Campaign,
+    /// Mappings of measured berthings
+    Mapping,
 }
 
 /// The choice of one manoeuvre, or of all manoeuvres that the vessel can do.

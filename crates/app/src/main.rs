@@ -1,9 +1,10 @@
 //! fenderline: contact of ships, fenders, quays and tugs from a scenario file.
 //!
-//! `cli` is the command line; `run`, `report`, `limit`, `campaign`, `statistics`, `check`, `validate`, `manoeuvre`, `vessels`, `fenders`, `fender`, `init` and `fmu` are the
+//! `cli` is the command line; `run`, `report`, `limit`, `campaign`, `statistics`, `berthings`, `check`, `validate`, `manoeuvre`, `vessels`, `fenders`, `fender`, `init` and `fmu` are the
 //! commands; `man` makes completions and manual pages; `version` says what this program was built of; `load` reads a scenario; `interrupt` handles Ctrl-C;
 //! `output` writes the result files, `documents` PDF and workbook; `provider` exchanges data with other programs that apply forces to bodies.
 
+mod berthings;
 mod branches;
 mod campaign;
 mod carried;
@@ -76,6 +77,7 @@ fn main() -> ExitCode {
         Command::Limit(args) => limit::limit(args),
         Command::Campaign(args) => campaign::campaign(args),
         Command::Statistics(args) => statistics::statistics(args),
+        Command::Berthings(args) => berthings::berthings(args),
         Command::Validate(args) => validate::validate(args),
         Command::Manoeuvre(args) => manoeuvre::manoeuvre(args),
         Command::Vessels(args) => vessels::vessels(args),

@@ -6,6 +6,7 @@ mod attack;
 mod attack_files;
 mod attack_providers;
 mod attack_server;
+mod berthings;
 mod campaign;
 mod campaign_check;
 #[path = "serve/client.rs"]

@@ -89,6 +89,15 @@ impl ChartOrigin {
             longitude_deg: longitude_deg - 360.0 * libm::round(longitude_deg / 360.0),
         }
     }
+
+    /// How far a geographic position lies north and east of the origin (m), on the plane of [`ChartOrigin::place`].
+    #[must_use]
+    pub fn metres(&self, place: GeoPoint) -> [f64; 2] {
+        let east_deg = place.longitude_deg - self.at.longitude_deg;
+        let east_deg = east_deg - 360.0 * libm::round(east_deg / 360.0);
+        let north_deg = place.latitude_deg - self.at.latitude_deg;
+        [north_deg * self.metres_per_deg[0], east_deg * self.metres_per_deg[1]]
+    }
 }
 
 #[cfg(test)]
@@ -116,7 +125,10 @@ mod tests {
     #[test]
     fn longitudes_wrap_at_the_date_line() {
         let at = GeoPoint { latitude_deg: 0.0, longitude_deg: 179.999 };
-        let place = ChartOrigin::new(at).expect("a place").place(0.0, 1000.0);
+        let origin = ChartOrigin::new(at).expect("a place");
+        let place = origin.place(0.0, 1000.0);
         assert!(place.longitude_deg < -179.99, "{place:?}");
+        let [north_m, east_m] = origin.metres(place);
+        assert!(north_m.abs() < 1e-6 && (east_m - 1000.0).abs() < 1e-6);
     }
 }

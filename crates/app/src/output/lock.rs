@@ -103,7 +103,7 @@ impl Drop for Lock {
 ///
 /// # Errors
 /// Fails if the path does not hold a regular file.
-pub(super) fn admit(path: &Path) -> Result<(), OutputError> {
+pub(crate) fn admit(path: &Path) -> Result<(), OutputError> {
     match fs::symlink_metadata(path) {
         Ok(there) => match irregular(there.file_type()) {
             Some(what) => Err(not_ours(path, what)),

@@ -18,6 +18,7 @@ use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 
+pub(crate) use lock::admit;
 pub(crate) use log::write_log;
 pub(crate) use part_file::{Folder, Sealed};
 pub(crate) use tables::Tables;

@@ -15,4 +15,6 @@ mod whole;
 pub use self::folder::{Opened, Shard, Store, check, is_finished};
 pub use self::journal::{decode_all, encode};
 pub use self::merge::merge;
-pub use self::tables::{EachRow, MOST_CSV_ROWS, TABLE_CSV, TABLE_PARQUET, write_tables};
+pub use self::tables::{
+    About, EachRow, MOST_CSV_ROWS, TABLE_CSV, TABLE_PARQUET, write_rows, write_tables,
+};

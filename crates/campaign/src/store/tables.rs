@@ -47,14 +47,50 @@ pub fn write_tables(
     let heads = runs.heads();
     let csv = folder.join(TABLE_CSV);
     if count <= MOST_CSV_ROWS {
-        whole::write(&csv, |file| write_csv(file, heads, &csv, each))?;
+        whole::write(&csv, |file| write_csv(file, "case", heads, &csv, each))?;
     }
     let path = folder.join(TABLE_PARQUET);
-    whole::write(&path, |file| write_parquet(file, heads, runs, &path, each))
+    let facts = [
+        ("title", runs.campaign().title.clone()),
+        ("scenario", runs.base().title.clone()),
+        ("plan", runs.campaign().plan.word().to_owned()),
+        ("seed", runs.campaign().seed.to_string()),
+    ];
+    let about = About { first: "case", facts: &facts };
+    whole::write(&path, |file| write_parquet(file, &about, heads, &path, each))
+}
+
+/// What a table says about itself: the name of its first column, which numbers the rows, and facts for the metadata of
+/// a Parquet file.
+#[derive(Clone, Copy, Debug)]
+pub struct About<'a> {
+    /// Name of the first column.
+    pub first: &'a str,
+    /// Facts with their names.
+    pub facts: &'a [(&'a str, String)],
+}
+
+/// Writes a table of rows to a file: Parquet if the name of the file ends in `.parquet`, else text with commas.
+///
+/// # Errors
+/// Fails with an error of the disk.
+pub fn write_rows(
+    path: &Path,
+    about: &About<'_>,
+    heads: &[Head],
+    rows: &[Row],
+) -> Result<(), CampaignError> {
+    let each: EachRow<'_> = &mut |add| rows.iter().try_for_each(&mut *add);
+    let is_parquet = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("parquet"));
+    whole::write(path, |file| match is_parquet {
+        true => write_parquet(file, about, heads, path, each),
+        false => write_csv(file, about.first, heads, path, each),
+    })
 }
 
 fn write_csv(
     file: &mut BufWriter<File>,
+    first: &str,
     heads: &[Head],
     path: &Path,
     each: EachRow<'_>,
@@ -65,7 +101,7 @@ fn write_csv(
         "" => head.name.clone(),
         unit => format!("{} [{unit}]", head.name),
     };
-    let titles = ["case".to_owned()].into_iter().chain(heads.iter().map(named));
+    let titles = [first.to_owned()].into_iter().chain(heads.iter().map(named));
     writer.write_record(titles).map_err(failed)?;
     each(&mut |row| {
         let cells =
@@ -95,20 +131,16 @@ impl Column {
 
 fn write_parquet(
     file: &mut BufWriter<File>,
+    about: &About<'_>,
     heads: &[Head],
-    runs: &Runs,
     path: &Path,
     each: EachRow<'_>,
 ) -> Result<(), CampaignError> {
     let failed = |error: ParquetError| CampaignError::folder(path, error);
-    let facts = [
-        ("title", runs.campaign().title.clone()),
-        ("scenario", runs.base().title.clone()),
-        ("plan", runs.campaign().plan.word().to_owned()),
-        ("seed", runs.campaign().seed.to_string()),
-    ];
-    let facts =
-        facts.into_iter().map(|(key, value)| KeyValue::new(format!("fenderline.{key}"), value));
+    let facts = about
+        .facts
+        .iter()
+        .map(|(key, value)| KeyValue::new(format!("fenderline.{key}"), value.clone()));
     let columns = heads.iter().map(|head| {
         let text = format!("{}; {}", head.unit, head.meaning);
         KeyValue::new(format!("fenderline.column.{}", head.name), text)
@@ -118,7 +150,7 @@ fn write_parquet(
         .set_created_by(format!("fenderline {}", env!("CARGO_PKG_VERSION")))
         .set_key_value_metadata(Some(facts.chain(columns).collect()))
         .build();
-    let schema = schema(heads).map_err(failed)?;
+    let schema = schema(about.first, heads).map_err(failed)?;
     let mut writer =
         SerializedFileWriter::new(file, schema, Arc::new(properties)).map_err(failed)?;
     let mut numbers: Vec<i64> = Vec::new();
@@ -147,9 +179,9 @@ fn write_parquet(
     Ok(())
 }
 
-/// The schema of the Parquet file: the column `case`, then a column for each head. Names may have any characters, so
+/// The schema of the Parquet file: the column of numbers of rows, then a column for each head. Names may have any characters, so
 /// the schema is not written as text.
-fn schema(heads: &[Head]) -> Result<TypePtr, ParquetError> {
+fn schema(first: &str, heads: &[Head]) -> Result<TypePtr, ParquetError> {
     let plain = parse_message_type(
         "message m { REQUIRED INT64 case; REQUIRED DOUBLE number; REQUIRED BYTE_ARRAY text (STRING); }",
     )?;
@@ -163,7 +195,7 @@ fn schema(heads: &[Head]) -> Result<TypePtr, ParquetError> {
             .build()?;
         Ok(Arc::new(own))
     };
-    let mut fields = vec![Arc::clone(case)];
+    let mut fields = vec![named(case, first)?];
     for head in heads {
         fields.push(named(if head.is_text { text } else { number }, &head.name)?);
     }

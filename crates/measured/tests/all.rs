@@ -1,0 +1,7 @@
+//! All tests of the crate, as one program.
+
+mod bad_input;
+mod known_answers;
+mod logs;
+mod parabolas;
+mod support;
