@@ -294,6 +294,7 @@ export class Pane {
   }
 
   private described_ms = 0;
+  private drawings = 0;
 
   /** Figures and labels of the marks, at the places of this drawing. */
   private drawLabels(): void {
@@ -355,6 +356,7 @@ export class Pane {
       this.built = hello;
     }
     picture.draw(now_ms, this.look);
+    this.drawings += 1;
     if (this.look.marks) this.drawLabels();
     this.scripts.push(performance.now() - begun);
     if (this.scripts.length > REMEMBERED) this.scripts.shift();
@@ -363,6 +365,7 @@ export class Pane {
       this.describe();
       // For tests.
       canvas.dataset.script = median(this.scripts).toFixed(2);
+      canvas.dataset.drawn = String(this.drawings);
       canvas.dataset.triangles = String(picture.triangles);
       canvas.dataset.interval = this.interval_ms.toFixed(1);
     }

@@ -320,12 +320,12 @@ void main() {
   vec3 colour = mix(lit + uWater * 0.6 * max(0.0, slope.x + slope.y), above, clamp(fresnel, 0.0, 1.0));
   // The path of sun or moon: the wider, the rougher the water.
   float spread = 0.0012 + 0.35 * rough + 0.00002 * min(away, 600.0);
-  vec3 half3 = normalize(uFrom - view);
+  vec3 half3 = normalize(uDisc - view);
   float tan2 = (1.0 - half3.y * half3.y) / max(half3.y * half3.y, 1e-4);
   vec3 bent = normalize(normal + vec3(0.0));
   float c = max(dot(bent, half3), 0.0);
   float t2 = (1.0 - c * c) / max(c * c, 1e-4);
-  colour += uDirect * min(2.5, exp(-t2 / spread) / (spread * 900.0)) * step(0.0, uFrom.y) * (0.25 + fresnel * 3.0) * 0.6;
+  colour += uDirect * min(2.5, exp(-t2 / spread) / (spread * 900.0)) * smoothstep(-0.005, 0.02, uDisc.y) * (0.25 + fresnel * 3.0) * 0.6;
   vec3 white = uDirect * (0.1 + 0.16 * max(uFrom.y, 0.0)) + uHorizon * 0.35 + uZenith * 0.3;
   colour = mix(colour, white, clamp(foam, 0.0, 1.0) * 0.8);
   float clear = exp(-uHaze * uHaze * away * away);
