@@ -111,6 +111,7 @@ test("pictures for looking at", async () => {
     const served = await serve(shot.set ?? [], scenario);
     const { context, close } = await browse(SIZE, false, SOFTWARE_WEBGL);
     const page = await open(context, served, "instructor", errors);
+    page.setDefaultTimeout(120_000);
     const seconds = async () => {
       const text = (await page.getByRole("timer").first().textContent()) ?? "";
       return text
