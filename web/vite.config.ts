@@ -14,7 +14,7 @@ export default defineConfig({
         test: {
           name: "e2e",
           include: ["e2e/**/*.e2e.ts"],
-          exclude: ["e2e/speed.e2e.ts", "e2e/inbound.e2e.ts"],
+          exclude: ["e2e/speed.e2e.ts", "e2e/inbound.e2e.ts", "e2e/pictures.e2e.ts"],
           testTimeout: 450_000,
           hookTimeout: 60_000,
           // Much of the time they wait for the ship; more at once would draw too slowly on two processors.
@@ -38,6 +38,15 @@ export default defineConfig({
           testTimeout: 600_000,
           hookTimeout: 60_000,
           sequence: { groupOrder: 3 },
+        },
+      },
+      {
+        // Pictures for the book: made and looked at by a person.
+        test: {
+          name: "pictures",
+          include: ["e2e/pictures.e2e.ts"],
+          testTimeout: 900_000,
+          sequence: { groupOrder: 4 },
         },
       },
       {

@@ -3,16 +3,17 @@
  * a second and script a drawing are printed. Without WebGL, and when the graphics stop, the page says so and stays usable. Where
  * other programs run beside, as in CI, times decide nothing.
  */
-import { mkdirSync } from "node:fs";
-import { cpus, loadavg } from "node:os";
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { cpus, loadavg, tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { type Served, SHOTS, SOFTWARE_WEBGL, browse, open, serve } from "./browser";
 import { axe, sizes, withAxe } from "./faults";
+import { apart, signature } from "./signature";
 
 const SIZE = { width: 1280, height: 720 };
-const CAMERAS = ["Bridge", "Port wing", "Stb wing", "Bow", "Stern", "Tug", "Bollard", "Free"];
+const CAMERAS = ["Bridge", "Port", "Stb", "Bow", "Stern", "Tug", "Bollard", "Free"];
 /** In CI, the cameras at dusk and at night; all cameras by day, and elsewhere always. */
 const SOME_CAMERAS = ["Bridge", "Free"];
 const MOST_SCRIPT_MS = 4;
@@ -21,6 +22,8 @@ const LEAST_FPS = 8;
 const timesDecide = (): boolean => !process.env.CI && (loadavg()[0] ?? 0) < cpus().length + 2;
 
 const HARBOUR = new URL("../../scenarios/live/harbour.toml", import.meta.url).pathname;
+const MOORED = new URL("../../scenarios/live/moored_in_a_squall.toml", import.meta.url).pathname;
+const SHIP_TO_SHIP = new URL("../../scenarios/live/ship_to_ship.toml", import.meta.url).pathname;
 const errors: string[] = [];
 let served: Served;
 
@@ -40,6 +43,13 @@ async function look(page: Page): Promise<void> {
     undefined,
     { timeout: 60_000 },
   );
+}
+
+/** Waits for some drawings, so that what is seen is what was asked for, however slow the machine is. */
+async function redrawn(page: Page, times = 3): Promise<void> {
+  const drawn = async () => Number(await canvas(page).getAttribute("data-drawn"));
+  const before = await drawn();
+  await expect.poll(drawn, { timeout: 60_000, interval: 100 }).toBeGreaterThan(before + times);
 }
 
 /** How many colours the picture of the canvas has, in steps of 16, and how far their brightness spreads. */
@@ -99,7 +109,7 @@ test("each camera draws a picture, by day, at dusk and at night", async () => {
       await page.keyboard.press("b");
     for (const camera of process.env.CI && palette !== "day" ? SOME_CAMERAS : CAMERAS) {
       await page.locator(".window-tools").getByText(camera, { exact: true }).click();
-      await page.waitForTimeout(1200);
+      await redrawn(page);
       const { count, spread } = await colours(page);
       const { script, interval } = await figures(page);
       best.script = Math.min(best.script, script);
@@ -213,5 +223,178 @@ test("an address opens one of several windows that make a panorama", async () =>
   const bearing = Number(/towards (\d+)/.exec(label)?.[1]);
   expect(Math.abs(bearing - 320)).toBeLessThan(30);
   await close();
+  expect(errors.filter((text) => !/context lost/i.test(text))).toEqual([]);
+});
+
+test("marks are in the picture on request: figures, path, forces and loads", async () => {
+  const { context, close } = await browse(SIZE, false, SOFTWARE_WEBGL);
+  const page = await open(context, served, "pilot", errors);
+  await look(page);
+  const figures = page.locator(".window-figures");
+  expect(await figures.isVisible()).toBe(false);
+  await page.getByRole("button", { name: /^Marks: / }).click();
+  await expect.poll(() => figures.textContent()).toMatch(/^\d{3}\.\d°, .* kn ahead/);
+  // She is on her way to the berth: its distances are in the picture.
+  await expect.poll(() => figures.textContent()).toMatch(/Bow .* off, .* m\/s/);
+  await page.screenshot({ path: join(SHOTS, "window-marks.png") });
+  // The eye goes up by its key, and says so.
+  await canvas(page).focus();
+  await page.keyboard.press("PageUp");
+  await expect
+    .poll(() => page.locator(".window-caption").textContent())
+    .toContain("eye 1.9 m above the deck");
+  await page.keyboard.press("m");
+  await expect.poll(() => figures.isVisible()).toBe(false);
+  await close();
+  expect(errors).toEqual([]);
+});
+
+test("the view follows the timeline, films, and finds the largest fender load", async () => {
+  const moored = await serve([], MOORED);
+  const { context, close } = await browse(SIZE, false, SOFTWARE_WEBGL);
+  const page = await open(context, moored, "instructor", errors);
+  await look(page);
+  await page.locator(".window-tools").getByText("Free", { exact: true }).click();
+  await page.getByRole("button", { name: "Film: record this view" }).click();
+  await page.getByRole("button", { name: "Pace 8" }).click();
+  await page.waitForTimeout(2500);
+  const filmed = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Film: record this view" }).click();
+  const film = await filmed;
+  expect(film.suggestedFilename()).toMatch(/free-film-\d+s\.webm$/);
+  expect(readFileSync(await film.path()).length).toBeGreaterThan(5000);
+  // The same moment looks the same again, from the free eye too.
+  await page.getByRole("button", { name: "Rewind to the start" }).click();
+  await expect.poll(() => page.getByRole("timer").first().textContent()).toContain("0:00:00");
+  await redrawn(page);
+  const first = await signature(page, canvas(page));
+  await page.getByRole("button", { name: "To the end of the branch" }).click();
+  await expect.poll(() => page.getByRole("timer").first().textContent()).not.toContain("0:00:00");
+  // A branch goes on from there, and the view with it.
+  await page.getByRole("button", { name: "Back ten seconds" }).click();
+  await page.getByRole("button", { name: "Go on from here as a new branch" }).click();
+  await redrawn(page);
+  expect((await colours(page)).count).toBeGreaterThan(40);
+  await page.getByRole("button", { name: "Rewind to the start" }).click();
+  await expect.poll(() => page.getByRole("timer").first().textContent()).toContain("0:00:00");
+  await redrawn(page);
+  expect(apart(first, await signature(page, canvas(page))).mean).toBeLessThan(1);
+  await page.getByRole("button", { name: "To the end of the branch" }).click();
+  await redrawn(page);
+  await page.getByRole("tab", { name: "Verdict" }).click();
+  const saved = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Picture of the largest fender load" }).click();
+  const picture = await saved;
+  expect(picture.suggestedFilename()).toMatch(/-cone.*s\.png$/);
+  await picture.saveAs(join(SHOTS, "window-largest-load.png"));
+  await close();
+  await moored.close();
+  expect(errors).toEqual([]);
+});
+
+test("a narrow page and a slow machine keep view, panel and controls usable", async () => {
+  const { context, close } = await browse({ width: 400, height: 800 }, true, SOFTWARE_WEBGL);
+  await withAxe(context);
+  const page = await open(context, served, "pilot", errors);
+  const devtools = await context.newCDPSession(page);
+  await devtools.send("Emulation.setCPUThrottlingRate", { rate: 6 });
+  await look(page);
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+  expect(wide).toBeLessThanOrEqual(400);
+  const box = await canvas(page).boundingBox();
+  expect(box?.width ?? 0).toBeGreaterThan(390);
+  expect(await axe(page, ".window")).toEqual([]);
+  await expect
+    .poll(() => page.locator(".window-caption").textContent(), { timeout: 20_000 })
+    .toContain("coarse");
+  const begun = Date.now();
+  await page.getByRole("tab", { name: "Fenders" }).click();
+  await page.getByText(/fenders, none touched yet/).waitFor();
+  expect(Date.now() - begun).toBeLessThan(8000);
+  await page.screenshot({ path: join(SHOTS, "window-narrow.png") });
+  await close();
+  expect(errors).toEqual([]);
+});
+
+test("ten ships, without a berth or a chart, are drawn from every camera that there is", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "fenderline-ten-"));
+  const file = join(folder, "ten.toml");
+  const kinds = ["container-ship", "bulk-carrier", "asd-tug"];
+  const ships = Array.from({ length: 10 }, (_, i) => {
+    const [north, east] = [700 * Math.floor(i / 2), 260 * (i % 2)];
+    return `[body.ship_${i}]\nvessel = "${kinds[i % 3] ?? ""}"\nposition = [${north}, ${east}]\nheading = "${36 * i} deg"\n`;
+  });
+  writeFileSync(
+    file,
+    `[time]\nstep = "0.1 s"\nduration = "1 h"\n[environment]\ntide = { level = "2 m" }\n${ships.join("")}`,
+  );
+  const ten = await serve([], file);
+  const { context, close } = await browse(SIZE, false, SOFTWARE_WEBGL);
+  const page = await open(context, ten, "pilot", errors);
+  await look(page);
+  // No bollard: its camera is not offered.
+  expect(await page.getByRole("button", { name: /^Bollard: / }).isVisible()).toBe(false);
+  await page.getByRole("button", { name: /^Marks: / }).click();
+  for (const camera of ["Stb", "Free"]) {
+    await page.locator(".window-tools").getByText(camera, { exact: true }).click();
+    await redrawn(page);
+    expect((await colours(page)).count, camera).toBeGreaterThan(20);
+  }
+  await page.screenshot({ path: join(SHOTS, "window-ten-ships.png") });
+  await close();
+  await ten.close();
+  expect(errors).toEqual([]);
+});
+
+/** References of the pictures: `BLESS=1` writes them anew. */
+const KEPT = new URL("window_pictures.json", import.meta.url).pathname;
+/** How far a picture may be from its reference, of 255: on the mean, and in one field of the grid. */
+const TOLERANCE = { mean: 4, most: 40 };
+
+test("pictures of three scenarios from each camera are as the kept ones", async () => {
+  const bless = process.env.BLESS === "1";
+  const kept: Record<string, string> =
+    existsSync(KEPT) && !bless ? JSON.parse(readFileSync(KEPT, "utf8")) : {};
+  const found: Record<string, string> = {};
+  const files = process.env.CI ? [MOORED] : [HARBOUR, MOORED, SHIP_TO_SHIP];
+  for (const file of files) {
+    const of = await serve([], file);
+    const { context, close } = await browse(SIZE, false, SOFTWARE_WEBGL);
+    const instructor = await open(context, of, "instructor", errors);
+    await instructor.getByRole("button", { name: "Rewind to the start" }).click();
+    await expect
+      .poll(() => instructor.getByRole("timer").first().textContent())
+      .toContain("0:00:00");
+    const page = await context.newPage();
+    page.setDefaultTimeout(60_000);
+    // It stays paused; two pages would draw for one.
+    await instructor.close();
+    page.on("pageerror", (error) => errors.push(error.message));
+    const token = encodeURIComponent(of.tokens.observer ?? "");
+    // The whole window is the view.
+    await page.goto(`${of.url}/?token=${token}&view=bridge&bearing=0&fov=70`);
+    await page.waitForFunction(
+      () => document.querySelector<HTMLElement>(".window canvas")?.dataset.script !== undefined,
+      undefined,
+      { timeout: 60_000 },
+    );
+    await canvas(page).focus();
+    for (const [i, camera] of CAMERAS.entries()) {
+      await page.keyboard.press(String(i + 1));
+      await redrawn(page, 2);
+      const name = `${file.split("/").at(-1)?.replace(".toml", "") ?? ""} ${camera}`;
+      found[name] = await signature(page, canvas(page));
+      const off = apart(kept[name] ?? "", found[name]);
+      if (!bless && (off.mean > TOLERANCE.mean || off.most > TOLERANCE.most))
+        await page.screenshot({ path: join(SHOTS, `window-differs-${name}.png`) });
+      if (!bless)
+        expect(off, `${name}: mean and largest difference; BLESS=1 writes references`).toSatisfy(
+          ({ mean, most }: typeof off) => mean <= TOLERANCE.mean && most <= TOLERANCE.most,
+        );
+    }
+    await close();
+    await of.close();
+  }
+  if (bless) writeFileSync(KEPT, `${JSON.stringify(found, null, 2)}\n`);
   expect(errors.filter((text) => !/context lost/i.test(text))).toEqual([]);
 });

@@ -9,7 +9,7 @@ import { Tugs } from "./controls/tugs";
 import { Help } from "./help";
 import { Hints } from "./hints";
 import { History } from "./history";
-import { Live, structure } from "./live";
+import { Live, isOfTug, structure } from "./live";
 import { NameBadge } from "./name";
 import { ON_PAGE, isOrder, unknownOrders } from "./orders";
 import type { Page } from "./page";
@@ -370,7 +370,7 @@ export class App implements Page {
       ...anchors,
       ["Charts", "g", new Strips(this.history)],
       ["Alarms", "a", this.alarms],
-      ["Verdict", "r", new Verdict()],
+      ["Verdict", "r", new Verdict(isInstructor ? () => void this.largestLoad() : null)],
     ];
     if (hello.exercise) views.push(["Exercise", "y", new Exercise(this, hello, hello.exercise)]);
     this.conditions = null;
@@ -525,6 +525,39 @@ export class App implements Page {
     setClass(this.stage, "with-view", how === "view");
     setClass(this.stage, "with-both", how === "both");
     this.pane.shares(how);
+  }
+
+  /** Rewinds to the moment of the largest fender load, looks at that fender and saves the picture. */
+  private async largestLoad(): Promise<void> {
+    const { hello } = this.live;
+    const t_s = this.history.largest_s();
+    if (!hello || t_s === null) {
+      this.say("No fender has been loaded yet.");
+      return;
+    }
+    const tick = Math.round(t_s / hello.step_s);
+    if (!(await this.order({ do: "rewind", tick }))) return;
+    for (let i = 0; i < 100 && this.live.frame?.tick !== tick; i++)
+      await new Promise((done) => setTimeout(done, 50));
+    const loads = (this.live.frame?.fenders ?? []).map((fender, i) => {
+      const info = hello.fenders[i];
+      return info && !isOfTug(info, hello)
+        ? Math.max(fender.of_energy, 1e-12 * fender.reaction_n)
+        : 0;
+    });
+    const most = loads.indexOf(Math.max(...loads));
+    if (most < 0 || (loads[most] ?? 0) <= 0) {
+      this.say("The frame of that moment has no loaded fender.");
+      return;
+    }
+    if (this.shared === "plan") this.share("view");
+    const made = await this.pane.fenderPicture(most);
+    const name = spoken(hello.fenders[most]?.name ?? "");
+    this.say(
+      made
+        ? `${clock(t_s)}: the largest load, at ${name}. The picture is saved; the timeline leads back.`
+        : `${clock(t_s)}: the largest load, at ${name}. This browser made no picture of it.`,
+    );
   }
 
   /** While a trial is on, the controls give no orders: they say so. */

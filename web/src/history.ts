@@ -102,4 +102,18 @@ export class History {
   clear(): void {
     this.samples = [];
   }
+
+  /** When a fender had the largest load over its rating, or all contacts together the largest force [s]; `null`: never. */
+  largest_s(): number | null {
+    let most: Sample | null = null;
+    for (const next of this.samples) if (!most || isMore(next, most)) most = next;
+    return most && (loadOf(most) > 0 || most.contact_mn > 0) ? most.t_s : null;
+  }
 }
+
+const loadOf = ({ of_energy, of_reaction }: Sample): number => Math.max(of_energy, of_reaction);
+
+/** Without ratings the forces decide. */
+const isMore = (next: Sample, most: Sample): boolean =>
+  loadOf(next) > loadOf(most) ||
+  (loadOf(most) === 0 && loadOf(next) === 0 && next.contact_mn > most.contact_mn);

@@ -14,6 +14,12 @@ export type Pair = [number, number];
 /** State of a body: [north, east, heading, velocity north, velocity east, yaw rate]. */
 export type BodyNow = [number, number, number, number, number, number];
 
+/**
+ * A harmonic of the sea: amplitude a [m], wave number k north and east [rad/m], angular frequency ω [rad/s], phase ε [rad]. The
+ * height of the surface is the sum of a cos(ωt − k·x + ε).
+ */
+export type Wave = [a: number, north: number, east: number, omega: number, phase: number];
+
 /** A point of a path: [t_s, north, east, heading]. */
 export type PathPoint = [t_s: number, north: number, east: number, heading: number];
 
@@ -57,7 +63,7 @@ export type TrialOrder = Order | TugOrder;
 export type Gravity = "ok" | "note" | "attention" | "failed";
 
 /** Number of this protocol. */
-export const PROTOCOL = 7;
+export const PROTOCOL = 8;
 
 /** Words for a tug. `stop`: no force; `stand_off`: she keeps clear of the side. */
 export type TugWord = "push" | "pull" | "stop" | "stand_off";
@@ -85,6 +91,9 @@ export type Fault =
   | "heading_frozen"
   | "speed_frozen"
   | "position_frozen";
+
+/** Types of ships, by which the view draws them. */
+export type ShipType = "bulk" | "tanker" | "container" | "ro-ro" | "passenger" | "tug";
 
 /** Kinds of features of a chart. */
 export type ChartKind =
@@ -174,6 +183,10 @@ export type Hello = {
   /** The berth to which the docking board measures distances. */
   berth: BerthInfo | null;
   depth_m: number | null;
+  /** The harmonics of the run's waves; empty without waves. */
+  sea: Wave[];
+  /** Where and when the run begins, for the sun; `null` if the scenario gives no time. */
+  daylight: DaylightInfo | null;
   /** The features of the chart, which pages draw behind ships and quays. */
   chart: Array<ChartInfo>;
   /** The exercise of the pilot; `null` if the scenario has no exercise. */
@@ -212,6 +225,16 @@ export type GalleryEntry = {
    * an exercise saved from the page, and lies in the server's folders.
    */
   changeable: boolean;
+};
+
+/** Where and when a run begins, for the sun. */
+export type DaylightInfo = {
+  /** Time at the start of the run: seconds since the start of 1970, universal time. */
+  start_unix_s: number;
+  /** Latitude of the scenario's origin, north positive (rad). */
+  latitude_rad: number;
+  /** Longitude of the scenario's origin, east positive (rad). */
+  longitude_rad: number;
 };
 
 /** The ships, tugs and fenders among which an instructor chooses for a new exercise. */
@@ -379,6 +402,10 @@ export type VesselInfo = {
   length_m: number;
   beam_m: number;
   draught_m: number;
+  /** Type of ship by which the view draws her; `null`: the words of the title say the type. */
+  kind: ShipType | null;
+  /** Place of the eye on the bridge; `null`: the usual place for her type. */
+  conning: ConningInfo | null;
   /** Least under-keel clearance of the vessel without a caution (m). */
   under_keel_limit_m: number;
   /** Largest angle of the rudder (rad); `null` if the vessel has no rudder. */
@@ -398,6 +425,14 @@ export type VesselInfo = {
   orders: Array<string>;
   /** The vessel's passage plan; `null` if the vessel has no plan. */
   plan: PlanInfo | null;
+};
+
+/** The place from which a ship is conned. */
+export type ConningInfo = {
+  /** Place of the eye, forward and to starboard in the axes of the body (m). */
+  at_m: [number, number];
+  /** Height of the eye above the still water (m). */
+  eye_above_water_m: number;
 };
 
 /** A passage plan of a vessel. The program computes tracks and distances, and the page draws them. */
@@ -441,6 +476,22 @@ export type FenderInfo = {
   facing_rad: number;
   width_m: number;
   projection_m: number;
+  /** Height of the fender's face (m). */
+  height_m: number;
+  /**
+   * Height of the middle of the face above the still water, or above datum on a fixed body (m). 0 where the scenario
+   * gives no height.
+   */
+  above_water_m: number;
+  /** True if the fender floats: `above_water_m` is then above the water on a fixed body, too. */
+  floating: boolean;
+  /** Name of the fender's family in the library; `null` if the scenario gives the fender's reaction itself. */
+  family: string | null;
+  /**
+   * Places of the cones behind the panel, along the face from its middle (m), positive to the right of a viewer who
+   * faces the panel; empty for a fender with a single element.
+   */
+  cones_m: Array<number>;
   rated_deflection_m: number | null;
   rated_reaction_n: number | null;
   rated_energy_j: number | null;
@@ -450,6 +501,11 @@ export type LineInfo = {
   name: string;
   ship: number;
   fairlead_m: [number, number];
+  /**
+   * Height of the fairlead above the still water, or above datum on a fixed body (m). 0 where the scenario gives no
+   * height.
+   */
+  fairlead_above_water_m: number;
   /**
    * The place where the line is made fast if nobody orders another. The place is `null` for a line that stays on
    * board until it is sent to a bollard.
@@ -466,7 +522,9 @@ export type LineInfo = {
   reach_by: "the rope" | "a heaving line";
 };
 
-export type LineEndInfo = { place_m: [number, number] } | { body: number; at_m: [number, number] };
+export type LineEndInfo =
+  | { place_m: [number, number]; above_datum_m: number }
+  | { body: number; at_m: [number, number]; above_water_m: number };
 
 /** An anchor with its chain. */
 export type AnchorInfo = {
@@ -474,6 +532,8 @@ export type AnchorInfo = {
   /** Index of the body of the ship that carries the anchor. */
   ship: number;
   hawse_m: [number, number];
+  /** Height of the hawse pipe above the still water (m). */
+  hawse_above_water_m: number;
   /** Length of the anchor's chain (m). */
   chain_m: number;
   mass_kg: number;
@@ -487,6 +547,11 @@ export type BollardInfo = {
   name: string;
   body: number;
   at_m: [number, number];
+  /**
+   * Height of the bollard above the still water, or above datum on a fixed body (m). 0 where the scenario gives no
+   * height.
+   */
+  above_water_m: number;
   /** The largest number of lines that the bollard takes at the same time. */
   most_lines: number;
 };
@@ -538,6 +603,8 @@ export type FrameOfAll = {
   /** Current at the pilot's ship. */
   current: CurrentNow;
   waves: WavesNow | null;
+  /** Level of the water above datum (m): heights on fixed bodies count from datum, heights on ships from the water. */
+  water_level_m: number;
   /** Visibility (m); `null` if the air is clear. */
   visibility_m: number | null;
   /** The limit of the closing speed at the fenders, which docking board and alarms use (m/s). */
@@ -590,6 +657,8 @@ export type VesselNow = {
   stern_mps: number;
   heel_rad: number;
   trim_rad: number;
+  /** Heave, positive down, without squat (m). */
+  heave_m: number;
   squat_m: number;
   under_keel_m: number | null;
   aground: boolean;

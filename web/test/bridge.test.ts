@@ -1,13 +1,23 @@
 /** The view out of the window: known answers of its geometry, without a renderer. */
+import { readFileSync } from "node:fs";
 import { Group, Mesh, MeshBasicMaterial, PerspectiveCamera, Vector3 } from "three";
 import { describe, expect, test } from "vitest";
-import { LEVEL, aim, stand } from "../src/bridge/aim";
+import { LEVEL, aim, fixedIn, stand } from "../src/bridge/aim";
 import { arrangementOf, kindOf } from "../src/bridge/arrangement";
 import { aboard, toPicture } from "../src/bridge/axes";
-import { area2, bollard, inset, isInside, quaysOf } from "../src/bridge/berth";
+import {
+  BIGHT_M,
+  QUAY_M,
+  area2,
+  bollard,
+  deckHeight,
+  inset,
+  isInside,
+  quaysOf,
+} from "../src/bridge/berth";
 import { catenary, parameterByLength } from "../src/bridge/catenary";
 import { seatOn, vertical } from "../src/bridge/eyes";
-import { Fenders, faceOff } from "../src/bridge/fenders";
+import { Fenders, faceOff, shapeOf } from "../src/bridge/fenders";
 import { breadthOf } from "../src/bridge/hull";
 import { atAnchor, bearingFrom, isSeen, underWay } from "../src/bridge/lamps";
 import { cut, width } from "../src/bridge/land";
@@ -17,7 +27,9 @@ import { mark } from "../src/bridge/marks";
 import { PAINTS, shipParts } from "../src/bridge/ship";
 import { Solids } from "../src/bridge/solids";
 import { TUG_PAINT } from "../src/bridge/tug";
-import { components, surface } from "../src/bridge/waves";
+import { FINE, shareDrawn } from "../src/bridge/sea";
+import { sunAt } from "../src/bridge/sun";
+import { FEW, drawnOf, significant, surface } from "../src/bridge/waves";
 import { add, onEarth, turned } from "../src/geometry";
 import type {
   BodyNow,
@@ -27,6 +39,7 @@ import type {
   Pair,
   TugInfo,
   TugNow,
+  Wave,
 } from "../src/protocol";
 import { type TugPlace, tugPlace } from "../src/vector_tug";
 
@@ -70,6 +83,9 @@ const LOOK: Look = {
   raise_rad: 0,
   view_rad: null,
   off_m: 300,
+  lifted_m: 0,
+  fender: null,
+  marks: false,
   panorama_rad: null,
 };
 const ORIGIN: Pair = [1000, -2000];
@@ -101,6 +117,24 @@ function byHand(
 const near = (found: Pair, wanted: Pair) => {
   expect(Math.abs(found[0] - wanted[0])).toBeLessThan(1);
   expect(Math.abs(found[1] - wanted[1])).toBeLessThan(1);
+};
+
+/** A cone on a quay. */
+const CONE: FenderInfo = {
+  name: "cone_1",
+  body: 0,
+  at_m: [-10, 0],
+  facing_rad: -90 * DEG,
+  width_m: 2.4,
+  projection_m: 1.9,
+  height_m: 3.2,
+  above_water_m: 2.6,
+  floating: false,
+  family: "cone",
+  cones_m: [],
+  rated_deflection_m: 1.15,
+  rated_reaction_n: 1.5e6,
+  rated_energy_j: 1.3e6,
 };
 
 /** Middle of the highest corners of a part, in its axes. */
@@ -142,17 +176,7 @@ describe("a camera on the starboard wing", () => {
   });
 
   test("draws the face of a pressed fender where its deflection says", () => {
-    const info: FenderInfo = {
-      name: "cone_1",
-      body: 0,
-      at_m: [-10, 0],
-      facing_rad: -90 * DEG,
-      width_m: 2.4,
-      projection_m: 1.9,
-      rated_deflection_m: 1.15,
-      rated_reaction_n: 1.5e6,
-      rated_energy_j: 1.3e6,
-    };
+    const info = CONE;
     const now: FenderNow = {
       deflection_m: 0.62,
       reaction_n: 6e5,
@@ -194,7 +218,31 @@ describe("a camera on the starboard wing", () => {
       .reduce((sum, each) => sum.add(each), new Vector3())
       .divideScalar(face.length);
     const [n, e] = onEarth(quay, [-10, -1.28]);
-    near(drawn(camera, middle), byHand([...eye, seat.up_m], gaze, [n, e, 1.9]));
+    near(drawn(camera, middle), byHand([...eye, seat.up_m], gaze, [n, e, 2.6]));
+    // The panel is as high and as wide as the run's face.
+    const rises = face.map(({ y }) => y);
+    expect(Math.max(...rises) - Math.min(...rises)).toBeGreaterThan(3.1);
+    expect(Math.max(...rises) - Math.min(...rises)).toBeLessThan(3.2 + 1e-9);
+  });
+
+  test("draws a quay, its fenders and its bollards lower by the rise of the tide, a floating fender not", () => {
+    const quays = new Group();
+    stand(quays, ORIGIN, quay, fixedIn(1.4));
+    const floating = { ...CONE, floating: true, family: "pneumatic", above_water_m: 0.5 };
+    const fenders = new Fenders(
+      [CONE, floating],
+      () => quays,
+      () => false,
+      new MeshBasicMaterial(),
+    );
+    fenders.tick([], 1.4);
+    quays.updateMatrixWorld(true);
+    const [fixed, afloat] = quays.children.map((mount) => mount.getWorldPosition(new Vector3()).y);
+    expect(fixed).toBeCloseTo(2.6 - 1.4, 9);
+    expect(afloat).toBeCloseTo(0.5, 9);
+    const solids = new Solids();
+    bollard([25, 1.5], 3.5, solids);
+    expect(topOf(solids).applyMatrix4(quays.matrixWorld).y).toBeCloseTo(3.5 + 0.55 - 1.4, 9);
   });
 
   test("draws a buoy where the chart has it", () => {
@@ -240,6 +288,56 @@ test("three windows of a panorama meet at their edges", () => {
   expect(edge(-60, 1).distanceTo(edge(0, -1))).toBeLessThan(1e-6);
   expect(edge(0, 1).distanceTo(edge(60, -1))).toBeLessThan(1e-6);
   expect(vertical(90 * DEG, 1)).toBeCloseTo(90 * DEG, 12);
+});
+
+test("each family of fenders has its shape, and the deck lies under the bollards", () => {
+  const shape = (family: string | null, floating = false) => shapeOf({ family, floating });
+  expect(
+    ["cone", "cone SPC", "pneumatic", "unit element", "V leg"].map((family) => shape(family)),
+  ).toEqual(["cone", "cone", "pneumatic", "element", "leg"]);
+  expect(["cell", "arch", "cylindrical", "foam filled"].map((family) => shape(family))).toEqual([
+    "cell",
+    "arch",
+    "cylinder",
+    "foam",
+  ]);
+  expect([shape(null), shape(null, true), shape("ours")]).toEqual(["block", "pneumatic", "block"]);
+  for (const family of [
+    null,
+    "cone",
+    "cell",
+    "V leg",
+    "unit element",
+    "arch",
+    "cylinder",
+    "foam",
+  ]) {
+    const on = new Group();
+    const info = { ...CONE, family, cones_m: [-0.6, 0.6] };
+    const fenders = new Fenders(
+      [info],
+      () => on,
+      () => false,
+      new MeshBasicMaterial(),
+    );
+    fenders.tick([]);
+    on.updateMatrixWorld(true);
+    const corners: Vector3[] = [];
+    on.traverse((each) => {
+      if (!(each instanceof Mesh)) return;
+      const places = each.geometry.getAttribute("position");
+      for (let i = 0; i < places.count; i++)
+        corners.push(new Vector3().fromBufferAttribute(places, i).applyMatrix4(each.matrixWorld));
+    });
+    // It faces to port: outward is −x in the axes of the body.
+    const out = corners.map(({ x }) => -x);
+    expect(Math.max(...out), `${family}: face`).toBeCloseTo(1.9, 6);
+    expect(Math.min(...out), `${family}: mounting`).toBeGreaterThan(-1e-9);
+    expect(corners.every(({ x, y, z }) => [x, y, z].every(Number.isFinite))).toBe(true);
+  }
+  expect(deckHeight([4, 0, 4.5], [9])).toBeCloseTo(4 - BIGHT_M, 12);
+  expect(deckHeight([], [])).toBe(QUAY_M);
+  expect(deckHeight([0], [5.2])).toBeCloseTo(5.4, 12);
 });
 
 describe("a line", () => {
@@ -409,7 +507,7 @@ describe("a hull", () => {
 
   test("meets the water at her waterline when she heels, trims and squats", () => {
     const now: BodyNow = [1400, -1700, 20 * DEG, 0, 0, 0];
-    const attitude = { heel_rad: 2 * DEG, trim_rad: -0.5 * DEG, squat_m: 0.4 };
+    const attitude = { heel_rad: 2 * DEG, trim_rad: -0.5 * DEG, sunk_m: 0.4 };
     const group = new Group();
     stand(group, ORIGIN, now, attitude);
     for (const [forward, starboard] of [
@@ -463,26 +561,82 @@ describe("a hull", () => {
     expect(kindOf({ title: "KVLCC2, 320 m", is_tug: false })).toBe("tanker");
     expect(kindOf({ title: "ASD tug, 32 m, 60 t bollard pull", is_tug: true })).toBe("tug");
     expect(kindOf({ title: "bulker", is_tug: false })).toBe("bulk");
+    expect(kindOf({ title: "bulker", is_tug: false, kind: "ro-ro" })).toBe("ro-ro");
+  });
+
+  test("has her bridge where the scenario says", () => {
+    const conning = { at_m: [-50, 3] as Pair, eye_above_water_m: 31 };
+    const ship = arrangementOf({ ...VESSEL, conning }, BULKER);
+    const seat = seatOn(ship, "bridge");
+    expect([seat.at, seat.up_m]).toEqual([[-50, 3], 31]);
+    // The front of the wheelhouse is just behind the eye, its deck below.
+    expect(ship.bridge.fore_m).toBeCloseTo(-50.4, 9);
+    expect(ship.house.bridge_deck_m).toBeCloseTo(31 - 1.75, 9);
   });
 });
 
 describe("the sea", () => {
-  test("has the significant height and the period of the frame", () => {
-    const all = components({ height_m: 2, period_s: 8, from_rad: 1 });
-    const variance = all.reduce((sum, { amplitude_m }) => sum + amplitude_m ** 2 / 2, 0);
-    expect(4 * Math.sqrt(variance)).toBeCloseTo(2, 9);
-    let sum = 0;
-    const n = 20_000;
-    for (let i = 0; i < n; i++) sum += surface(all, 100, 50, i * 0.37) ** 2;
-    expect(4 * Math.sqrt(sum / n)).toBeGreaterThan(1.9);
-    expect(4 * Math.sqrt(sum / n)).toBeLessThan(2.1);
-    expect(components(null)).toEqual([]);
+  const { sea, places } = JSON.parse(
+    readFileSync(new URL("sea.json", import.meta.url), "utf8"),
+  ) as { sea: Wave[]; places: [north: number, east: number, t_s: number, height: number][] };
+
+  test("is at bow, side and stern as high as the sea of the run", () => {
+    expect(places.length).toBe(3);
+    for (const [north, east, t_s, height] of places) {
+      expect(Math.abs(surface(sea, north, east, t_s) - height)).toBeLessThan(1e-6);
+      // As a graphics card draws it: single precision about an origin near the ship, harmonics that fade with the distance.
+      const [x, z] = [Math.fround(east - ORIGIN[1]), Math.fround(ORIGIN[0] - north)];
+      const drawn = drawnOf(sea, sea.length).reduce((sum, [a, kn, ke, omega, phase]) => {
+        const at = (omega * t_s + phase - kn * ORIGIN[0] - ke * ORIGIN[1]) % (2 * Math.PI);
+        const share = shareDrawn(150, Math.hypot(kn, ke), FINE);
+        const turn = Math.fround(Math.fround(-ke * x) + Math.fround(kn * z) + Math.fround(at));
+        return Math.fround(sum + Math.fround(share * a) * Math.fround(Math.cos(turn)));
+      }, 0);
+      expect(Math.abs(drawn - height)).toBeLessThan(0.05);
+    }
   });
 
-  test("runs away from where the waves come from", () => {
-    // From the north: crests move to the south, so that the phase at a place grows as from a place further north.
-    const [first] = components({ height_m: 1, period_s: 6, from_rad: 0 });
-    expect(first?.north_radpm ?? 0).toBeLessThan(0);
+  test("without a graphics card lacks less than a seventh of its height", () => {
+    const few = drawnOf(sea, FEW);
+    const left = sea.filter((wave) => !few.includes(wave));
+    expect(significant(sea)).toBeCloseTo(1.5, 6);
+    expect(significant(few) ** 2 + significant(left) ** 2).toBeCloseTo(1.5 ** 2, 6);
+    expect(significant(left) / significant(sea)).toBeLessThan(1 / 7);
+    expect(drawnOf([], FEW)).toEqual([]);
+    expect(surface([], 1, 2, 3)).toBe(0);
+  });
+});
+
+describe("the sun", () => {
+  const unix = (text: string) => Date.parse(text) / 1000;
+  const at = (text: string, latitude: number, longitude: number) => {
+    const sun = sunAt(unix(text), latitude * DEG, longitude * DEG);
+    return [sun.azimuth_rad / DEG, sun.elevation_rad / DEG] as const;
+  };
+
+  test("stands where the example of NREL's solar position algorithm has it", () => {
+    // Reda and Andreas, NREL/TP-560-34302, appendix A.5: zenith 50.11162°, azimuth 194.34024°, Golden, Colorado.
+    const [azimuth, elevation] = at("2003-10-17T12:30:30-07:00", 39.742476, -105.1786);
+    expect(Math.abs(azimuth - 194.34024)).toBeLessThan(0.02);
+    expect(Math.abs(elevation - (90 - 50.11162))).toBeLessThan(0.02);
+  });
+
+  test("has the declination of Meeus' example 25.a, seen from the pole", () => {
+    // 13 October 1992, 0 h dynamical time: −7.78507°. Below the horizon the air lifts nothing.
+    const [, elevation] = at("1992-10-12T23:59:01Z", 90, 0);
+    expect(Math.abs(elevation + 7.78507)).toBeLessThan(0.002);
+  });
+
+  test("is on the horizon at the times of tables, and in the zenith under the tropic", () => {
+    // London, 21 June: sunrise 04:43, sunset 21:21 (BST), when the upper edge is on the horizon: the middle is 0.27° lower.
+    for (const time of ["04:43", "21:21"])
+      expect(Math.abs(at(`2026-06-21T${time}:00+01:00`, 51.5, -0.13)[1] + 0.27)).toBeLessThan(0.5);
+    // The solstice of 2026: 21 June, 08:24; at noon of the place the sun is overhead at 23.44° north.
+    const [, high] = at("2026-06-21T12:01:50Z", 23.44, 0);
+    expect(high).toBeGreaterThan(89.5);
+    // Southern summer: at noon the sun is in the north.
+    const [azimuth] = at("2026-12-21T12:00:00+10:00", -38, 150);
+    expect(Math.min(azimuth, 360 - azimuth)).toBeLessThan(4);
   });
 });
 
@@ -520,7 +674,13 @@ test("an address asks for a view", () => {
     eye: "stern",
     turn_rad: 0,
     panorama_rad: null,
+    lifted_m: 0,
+    marks: false,
   });
+  expect(lookOf("?view=bridge&eye=1.6&marks")?.lifted_m).toBeCloseTo(-0.15, 12);
+  expect(lookOf("?view=bridge&eye=1.6&marks")?.marks).toBe(true);
+  // Nobody's eye is that high.
+  expect(lookOf("?view=bridge&eye=40")?.lifted_m).toBeCloseTo(1.25, 12);
 });
 
 test("a tug pushes with her bow at the ship's side, and pulls over her bow on a line of 45 m", () => {

@@ -35,6 +35,7 @@ function frame(tick: number, north: number, paused = false): Frame {
     wind: { speed_mps: 5, from_rad: 0 },
     current: { speed_mps: 0, to_rad: 0 },
     waves: null,
+    water_level_m: 0,
     visibility_m: null,
     approach_mps: 0.15,
     alarms: [],

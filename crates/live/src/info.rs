@@ -4,19 +4,22 @@
 use fenderline_contact::Vec2;
 use fenderline_contact::number::lesser;
 use fenderline_sim::berth::Berth;
+use fenderline_sim::environment::waves::Sea;
 use fenderline_sim::mooring::InboardEnd;
 use fenderline_sim::order::{OrderName, SidePlace, TargetKind, Word, towline};
 use fenderline_sim::passing::PassingSetup;
 use fenderline_sim::{
-    AnchorSetup, BollardSetup, LineEnd, LineHandling, MooringSetup, Setup, TugSetup, VesselSetup,
+    AnchorSetup, BollardSetup, LineEnd, LineHandling, MooringSetup, Setup, ShipType, TugSetup,
+    VesselSetup,
 };
 
 use crate::berth;
 use crate::cast::Cast;
 use crate::chart_info::chart_infos;
 use crate::message::{
-    AnchorInfo, AzimuthInfo, BodyInfo, BollardInfo, ChartInfo, FenderInfo, LineEndInfo, LineInfo,
-    OrderInfo, TelegraphInfo, ThrusterInfo, TrafficInfo, TugInfo, VesselInfo,
+    AnchorInfo, AzimuthInfo, BodyInfo, BollardInfo, ChartInfo, ConningInfo, DaylightInfo,
+    FenderInfo, LineEndInfo, LineInfo, OrderInfo, TelegraphInfo, ThrusterInfo, TrafficInfo,
+    TugInfo, VesselInfo,
 };
 use crate::order_info::{order_infos, telegraph};
 use crate::pair::pair;
@@ -55,6 +58,11 @@ pub struct Info {
     pub berth: Option<Berth>,
     /// Depth of the water (m).
     pub depth_m: Option<f64>,
+    /// The field `sea` of [`crate::message::Hello`]: for each harmonic its amplitude (m), wave number north and east
+    /// (rad/m), angular frequency (rad/s), and phase at the origin at time 0 (rad).
+    pub sea: Vec<[f64; 5]>,
+    /// The field `daylight` of [`crate::message::Hello`].
+    pub daylight: Option<DaylightInfo>,
     /// The field `chart` of [`crate::message::Hello`].
     pub chart: Vec<ChartInfo>,
 }
@@ -80,6 +88,11 @@ impl Info {
             facing_rad: fender.facing_rad,
             width_m: fender.width_m,
             projection_m: fender.projection_m,
+            height_m: fender.height_m,
+            above_water_m: fender.above_water_m,
+            floating: fender.floating,
+            family: fender.source.as_ref().and_then(|source| source.family.clone()),
+            cones_m: fender.panel.as_ref().map_or_else(Vec::new, |panel| panel.cones_m.clone()),
             rated_deflection_m: fender.rated.map(|rated| rated.deflection_m),
             rated_reaction_n: fender.rated.map(|rated| rated.reaction_n),
             rated_energy_j: fender.rated.map(|rated| rated.energy_j),
@@ -99,9 +112,26 @@ impl Info {
             telegraph: telegraph(),
             berth: berth::of(setup, cast),
             depth_m: world.environment.depth_m,
+            sea: world.environment.sea.as_ref().map_or_else(Vec::new, harmonics),
+            daylight: world.environment.daylight.map(|daylight| DaylightInfo {
+                start_unix_s: daylight.start_unix_s,
+                latitude_rad: daylight.place.latitude_rad,
+                longitude_rad: daylight.place.longitude_rad,
+            }),
             chart: chart_infos(&world.chart),
         }
     }
+}
+
+/// The harmonics of a sea that have a height.
+fn harmonics(sea: &Sea) -> Vec<[f64; 5]> {
+    let there = sea.components().iter().filter(|wave| wave.amplitude_m > 0.0);
+    there
+        .map(|wave| {
+            let Vec2 { x: north_radpm, y: east_radpm } = wave.number_radpm;
+            [wave.amplitude_m, north_radpm, east_radpm, wave.frequency_radps, wave.phase_rad]
+        })
+        .collect()
 }
 
 fn traffic_info(ship: &PassingSetup) -> TrafficInfo {
@@ -141,6 +171,11 @@ fn vessel_info(setup: &Setup, cast: &Cast, index: usize) -> VesselInfo {
         length_m: hull.length_m,
         beam_m: hull.beam_m,
         draught_m: hull.draught_m,
+        kind: vessel.looks.ship_type.map(ShipType::word),
+        conning: vessel.looks.conning.map(|conning| ConningInfo {
+            at_m: [conning.at_m.x - ahead_m, conning.at_m.y],
+            eye_above_water_m: conning.eye_above_water_m,
+        }),
         under_keel_limit_m: vessel.under_keel_caution_m(),
         rudder_stop_rad: propelled.then_some(vessel.rudder.stop),
         full_rps: propelled.then_some(vessel.shaft.stop),
@@ -174,11 +209,14 @@ fn line_info(line: &MooringSetup, handling: &LineHandling) -> LineInfo {
         name: line.line.name.clone(),
         ship: line.ship,
         fairlead_m: pair(line.fairlead_m),
+        fairlead_above_water_m: line.fairlead_above_water_m,
         end: line.end.map(|end| match end {
-            LineEnd::Fixed([north_m, east_m, _]) => {
-                LineEndInfo::Fixed { place_m: [north_m, east_m] }
+            LineEnd::Fixed([north_m, east_m, above_datum_m]) => {
+                LineEndInfo::Fixed { place_m: [north_m, east_m], above_datum_m }
             }
-            LineEnd::OnBody { body, at_m, .. } => LineEndInfo::OnBody { body, at_m: pair(at_m) },
+            LineEnd::OnBody { body, at_m, above_water_m } => {
+                LineEndInfo::OnBody { body, at_m: pair(at_m), above_water_m }
+            }
         }),
         breaking_n,
         working_n: line.line.kind.working_load_n().unwrap_or(CABLE_WORKING_SHARE * breaking_n),
@@ -197,6 +235,7 @@ fn anchor_info(anchor: &AnchorSetup, setup: &Setup) -> AnchorInfo {
         name: gear.name.clone(),
         ship: setup.world.vessels[anchor.vessel].body,
         hawse_m: pair(anchor.hawse_m),
+        hawse_above_water_m: anchor.hawse_above_water_m,
         chain_m: gear.chain_length_m,
         mass_kg: gear.mass_kg,
         breaking_n: gear.chain().break_load_n(),
@@ -209,6 +248,7 @@ fn bollard_info(bollard: &BollardSetup) -> BollardInfo {
         name: bollard.name.clone(),
         body: bollard.body,
         at_m: pair(bollard.at_m),
+        above_water_m: bollard.above_water_m,
         most_lines: bollard.most_lines,
     }
 }

@@ -12,7 +12,7 @@ use crate::request::Control;
 
 /// Version number of the protocol between server and page. A page with another version of the protocol asks the
 /// user to reload the page.
-pub const PROTOCOL: u32 = 7;
+pub const PROTOCOL: u32 = 8;
 
 /// The data from which a page is built. The server sends this message first, and again whenever the scenario, the
 /// branch of the session or the holders of the helms change.
@@ -51,6 +51,11 @@ pub struct Hello<'a> {
     /// The berth to which the docking board measures distances.
     pub berth: Option<BerthInfo>,
     pub depth_m: Option<f64>,
+    /// The harmonics of the run's waves; empty without waves.
+    #[cfg_attr(test, ts(type = "Wave[]"))]
+    pub sea: &'a [[f64; 5]],
+    /// Where and when the run begins, for the sun; `null` if the scenario gives no time.
+    pub daylight: Option<DaylightInfo>,
     /// The features of the chart, which pages draw behind ships and quays.
     pub chart: &'a [ChartInfo],
     /// The exercise of the pilot; `null` if the scenario has no exercise.
@@ -67,6 +72,18 @@ pub struct Hello<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, ts(optional))]
     pub deleted: Option<&'a [GalleryEntry]>,
+}
+
+/// Where and when a run begins, for the sun.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(TS))]
+pub struct DaylightInfo {
+    /// Time at the start of the run: seconds since the start of 1970, universal time.
+    pub start_unix_s: f64,
+    /// Latitude of the scenario's origin, north positive (rad).
+    pub latitude_rad: f64,
+    /// Longitude of the scenario's origin, east positive (rad).
+    pub longitude_rad: f64,
 }
 
 /// The ships, tugs and fenders among which an instructor chooses for a new exercise.
@@ -310,6 +327,11 @@ pub struct VesselInfo {
     pub length_m: f64,
     pub beam_m: f64,
     pub draught_m: f64,
+    /// Type of ship by which the view draws her; `null`: the words of the title say the type.
+    #[cfg_attr(test, ts(type = "ShipType | null"))]
+    pub kind: Option<&'static str>,
+    /// Place of the eye on the bridge; `null`: the usual place for her type.
+    pub conning: Option<ConningInfo>,
     /// Least under-keel clearance of the vessel without a caution (m).
     pub under_keel_limit_m: f64,
     /// Largest angle of the rudder (rad); `null` if the vessel has no rudder.
@@ -330,6 +352,16 @@ pub struct VesselInfo {
     pub orders: Vec<&'static str>,
     /// The vessel's passage plan; `null` if the vessel has no plan.
     pub plan: Option<PlanInfo>,
+}
+
+/// The place from which a ship is conned.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(TS))]
+pub struct ConningInfo {
+    /// Place of the eye, forward and to starboard in the axes of the body (m).
+    pub at_m: Pair,
+    /// Height of the eye above the still water (m).
+    pub eye_above_water_m: f64,
 }
 
 /// A passage plan of a vessel. The program computes tracks and distances, and the page draws them.
@@ -413,6 +445,18 @@ pub struct FenderInfo {
     pub facing_rad: f64,
     pub width_m: f64,
     pub projection_m: f64,
+    /// Height of the fender's face (m).
+    pub height_m: f64,
+    /// Height of the middle of the face above the still water, or above datum on a fixed body (m). 0 where the scenario
+    /// gives no height.
+    pub above_water_m: f64,
+    /// True if the fender floats: `above_water_m` is then above the water on a fixed body, too.
+    pub floating: bool,
+    /// Name of the fender's family in the library; `null` if the scenario gives the fender's reaction itself.
+    pub family: Option<String>,
+    /// Places of the cones behind the panel, along the face from its middle (m), positive to the right of a viewer who
+    /// faces the panel; empty for a fender with a single element.
+    pub cones_m: Vec<f64>,
     pub rated_deflection_m: Option<f64>,
     pub rated_reaction_n: Option<f64>,
     pub rated_energy_j: Option<f64>,
@@ -424,6 +468,9 @@ pub struct LineInfo {
     pub name: String,
     pub ship: usize,
     pub fairlead_m: Pair,
+    /// Height of the fairlead above the still water, or above datum on a fixed body (m). 0 where the scenario gives no
+    /// height.
+    pub fairlead_above_water_m: f64,
     /// The place where the line is made fast if nobody orders another. The place is `null` for a line that stays on
     /// board until it is sent to a bollard.
     pub end: Option<LineEndInfo>,
@@ -447,6 +494,8 @@ pub struct AnchorInfo {
     /// Index of the body of the ship that carries the anchor.
     pub ship: usize,
     pub hawse_m: Pair,
+    /// Height of the hawse pipe above the still water (m).
+    pub hawse_above_water_m: f64,
     /// Length of the anchor's chain (m).
     pub chain_m: f64,
     pub mass_kg: f64,
@@ -462,6 +511,9 @@ pub struct BollardInfo {
     pub name: String,
     pub body: usize,
     pub at_m: Pair,
+    /// Height of the bollard above the still water, or above datum on a fixed body (m). 0 where the scenario gives no
+    /// height.
+    pub above_water_m: f64,
     /// The largest number of lines that the bollard takes at the same time.
     pub most_lines: usize,
 }
@@ -470,8 +522,10 @@ pub struct BollardInfo {
 #[cfg_attr(test, derive(TS))]
 #[serde(untagged)]
 pub enum LineEndInfo {
-    Fixed { place_m: Pair },
-    OnBody { body: usize, at_m: Pair },
+    /// `above_datum_m`: height of the end above datum (m).
+    Fixed { place_m: Pair, above_datum_m: f64 },
+    /// `above_water_m`: height of the end above the still water, or above datum on a fixed body (m).
+    OnBody { body: usize, at_m: Pair, above_water_m: f64 },
 }
 
 /// A vector tug: only her force on the ship is simulated. Tugs that are vessels are in `vessels`.
@@ -527,6 +581,8 @@ pub struct Frame {
     /// Current at the pilot's ship.
     pub current: CurrentNow,
     pub waves: Option<WavesNow>,
+    /// Level of the water above datum (m): heights on fixed bodies count from datum, heights on ships from the water.
+    pub water_level_m: f64,
     /// Visibility (m); `null` if the air is clear.
     pub visibility_m: Option<f64>,
     /// The limit of the closing speed at the fenders, which docking board and alarms use (m/s).
@@ -660,6 +716,8 @@ pub struct VesselNow {
     pub stern_mps: f64,
     pub heel_rad: f64,
     pub trim_rad: f64,
+    /// Heave, positive down, without squat (m).
+    pub heave_m: f64,
     pub squat_m: f64,
     pub under_keel_m: Option<f64>,
     pub aground: bool,

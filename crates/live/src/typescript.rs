@@ -5,9 +5,9 @@
 use std::fmt::Write;
 
 use fenderline_author::{BerthingSide, NewBerth, NewExercise, NewShip, NewTugs, NewWeather};
-use fenderline_sim::Fault;
 use fenderline_sim::chart::{ChartKind, MarkColour, MarkMeaning, MarkShape, MarkSide};
 use fenderline_sim::order::{Lead, SidePlace, TugWord, Word};
+use fenderline_sim::{Fault, ShipType};
 use ts_rs::{Config, TS};
 
 use crate::action::{AnchorFault, CommandLimits, OtherAction};
@@ -32,6 +32,12 @@ export type Pair = [number, number];
 
 /** State of a body: [north, east, heading, velocity north, velocity east, yaw rate]. */
 export type BodyNow = [number, number, number, number, number, number];
+
+/**
+ * A harmonic of the sea: amplitude a [m], wave number k north and east [rad/m], angular frequency ω [rad/s], phase ε [rad]. The
+ * height of the surface is the sum of a cos(ωt − k·x + ε).
+ */
+export type Wave = [a: number, north: number, east: number, omega: number, phase: number];
 
 /** A point of a path: [t_s, north, east, heading]. */
 export type PathPoint = [t_s: number, north: number, east: number, heading: number];
@@ -170,6 +176,12 @@ fn protocol() -> String {
     );
     words(
         into,
+        "ShipType",
+        "Types of ships, by which the view draws them.",
+        ShipType::ALL.map(ShipType::word).into_iter(),
+    );
+    words(
+        into,
         "ChartKind",
         "Kinds of features of a chart.",
         ChartKind::ALL.map(ChartKind::word).into_iter(),
@@ -207,6 +219,7 @@ fn protocol() -> String {
         Claim,
         Link,
         GalleryEntry,
+        DaylightInfo,
         LibraryInfo,
         LibraryVessel,
         FamilyInfo,
@@ -222,6 +235,7 @@ fn protocol() -> String {
         ChartInfo,
         BodyInfo,
         VesselInfo,
+        ConningInfo,
         PlanInfo,
         WaypointInfo,
         WheelOverInfo,

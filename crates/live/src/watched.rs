@@ -99,6 +99,8 @@ impl Watched {
             gallery: &[],
             berth: info.berth.as_ref().map(berth_info),
             depth_m: info.depth_m,
+            sea: &info.sea,
+            daylight: info.daylight,
             chart: &info.chart,
             exercise: self.exercise().map(|of| exercise::info(of, self.simulation().setup())),
             links: None,

@@ -21,4 +21,5 @@ mod session;
 mod support;
 mod traffic;
 mod trial;
+mod view;
 mod visibility;

@@ -72,6 +72,8 @@ fn messages(session: &Session) -> (Value, Value) {
         gallery: &[],
         berth: info.berth.as_ref().map(berth_info),
         depth_m: info.depth_m,
+        sea: &info.sea,
+        daylight: info.daylight,
         chart: &info.chart,
         exercise: session.exercise_info(),
         links: Some(&links),

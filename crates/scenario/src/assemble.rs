@@ -46,6 +46,7 @@ mod rope;
 mod rows;
 mod seakeeping;
 mod shore;
+mod start_time;
 mod unused;
 mod vessel;
 mod windage;

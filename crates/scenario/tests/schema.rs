@@ -503,6 +503,8 @@ fn full() -> Json {
             "wind": { "speed": "12 m/s", "from": "270 deg", "gusts": true, "gust_admittance": false, "seed": 3 },
             "current": { "speed": "1 kn", "towards": "10 deg" },
             "bank": [{ "from": [-500, 90], "to": [500, 90], "method": "image" }], "visibility": "500 m",
+            "start_time": "2026-06-21T05:30+02:00",
+            "place": { "latitude": "53.5 deg", "longitude": "9.9 deg" },
             "interaction": { "between_vessels": true, "midship_coefficient": 0.95, "sections": "outline" },
             "waves": {
                 "height": 1, "period": "8 s", "from": 0, "regular": false, "peakedness": 3.3,
@@ -529,7 +531,8 @@ fn full() -> Json {
                     "length_overall": 160, "centroid_forward": 1, "centroid_height": 10, "type": "ferry"
                 },
                 "wave_response": "response.csv",
-                "stability": { "gm": 1.5, "gravity_above_keel": 10, "waterplane_area": 3000 }
+                "stability": { "gm": 1.5, "gravity_above_keel": 10, "waterplane_area": 3000 },
+                "kind": "container", "conning": { "at": [-40, 0], "eye_height": "22 m" }
             },
             "tanker": {
                 "from": "kvlcc2", "propeller": { "full": "106 rpm" },

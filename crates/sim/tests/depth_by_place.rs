@@ -15,8 +15,8 @@ use fenderline_sim::hydro::actuator::RateLimited;
 use fenderline_sim::hydro::vessels::Origin;
 use fenderline_sim::hydro::{AddedMass, CrossFlow, Hull, LowSpeedHull, Mmg, Particulars, Squat};
 use fenderline_sim::{
-    Action, Bottom, Environment, Integrator, Load, MassProperties, Method, Order, Outside, Setup,
-    SetupError, Simulation, StepFault, VesselAction, VesselSetup, WorldSetup,
+    Action, Bottom, Environment, Integrator, Load, Looks, MassProperties, Method, Order, Outside,
+    Setup, SetupError, Simulation, StepFault, VesselAction, VesselSetup, WorldSetup,
 };
 use support::{fixed, rectangle};
 
@@ -89,6 +89,7 @@ pub(crate) fn with(ship: Mmg, environment: Environment, step_s: f64, duration_s:
                 drift: None,
                 seakeeping: None,
                 plan: None,
+                looks: Looks::default(),
             }],
             ..WorldSetup::default()
         },

@@ -11,7 +11,7 @@ use fenderline_sim::hydro::actuator::RateLimited;
 use fenderline_sim::hydro::vessels::{Origin, Vessel};
 use fenderline_sim::hydro::{Model3, Water, manoeuvres};
 use fenderline_sim::{
-    Action, Energy, Environment, Integrator, Load, MassProperties, Method, Order, Setup,
+    Action, Energy, Environment, Integrator, Load, Looks, MassProperties, Method, Order, Setup,
     Simulation, VesselAction, VesselSetup, WorldSetup,
 };
 use support::{fixed, rectangle};
@@ -117,6 +117,7 @@ fn run(
                 drift: None,
                 seakeeping: None,
                 plan: None,
+                looks: Looks::default(),
             }],
             orders: orders
                 .into_iter()

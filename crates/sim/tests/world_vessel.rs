@@ -10,8 +10,8 @@ use fenderline_sim::hydro::actuator::RateLimited;
 use fenderline_sim::hydro::vessels::Origin;
 use fenderline_sim::hydro::{Model3, Water, manoeuvres};
 use fenderline_sim::{
-    Action, Environment, Faults, Integrator, LineAction, MassProperties, Method, Order, Setup,
-    Simulation, VesselAction, VesselSetup, WorldSetup,
+    Action, Environment, Faults, Integrator, LineAction, Looks, MassProperties, Method, Order,
+    Setup, Simulation, VesselAction, VesselSetup, WorldSetup,
 };
 use support::{fixed, rectangle};
 
@@ -61,6 +61,7 @@ fn kvlcc2(rudder_deg: f64, current_mps: Vec2, step_s: f64) -> (Setup, f64) {
                 drift: None,
                 seakeeping: None,
                 plan: None,
+                looks: Looks::default(),
             }],
             orders: vec![Order {
                 at_s: 0.0,

@@ -163,6 +163,8 @@ impl Rated {
 /// The source of a fender's data, and how well this source is known.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FenderSource {
+    /// Name of the fender's family in the library; `None` for a fender whose reaction the scenario gives.
+    pub family: Option<String>,
     /// Type and size of the fender, for reports.
     pub designation: String,
     /// Document or page.

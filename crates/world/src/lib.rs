@@ -40,6 +40,7 @@ pub mod fixed_order;
 pub mod hull;
 pub mod ledger;
 pub mod limit;
+pub mod looks;
 pub mod mean_velocity;
 pub mod model;
 pub mod named;

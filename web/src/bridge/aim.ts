@@ -6,18 +6,21 @@ import { type Look, VIEW_LIMITS } from "./look";
 import { clamp } from "../geometry";
 import type { BodyNow, Pair } from "../protocol";
 
-/** How a ship lies in the water: heel to starboard, trim with the bow up [rad], squat [m]. */
+/** How a body lies in the water: heel to starboard, trim with the bow up [rad]; heave, squat and the like, positive down [m]. */
 export interface Attitude {
   heel_rad: number;
   trim_rad: number;
-  squat_m: number;
+  sunk_m: number;
 }
 
-export const LEVEL: Attitude = { heel_rad: 0, trim_rad: 0, squat_m: 0 };
+export const LEVEL: Attitude = { heel_rad: 0, trim_rad: 0, sunk_m: 0 };
+
+/** A fixed body: its heights count from datum, over which the water stands. */
+export const fixedIn = (water_level_m: number): Attitude => ({ ...LEVEL, sunk_m: water_level_m });
 
 /** Puts the picture of a body at its place. */
 export function stand(picture: Object3D, origin: Pair, now: BodyNow, attitude: Attitude): void {
-  picture.position.set(...toPicture(origin, [now[0], now[1]], -attitude.squat_m));
+  picture.position.set(...toPicture(origin, [now[0], now[1]], -attitude.sunk_m));
   picture.rotation.set(attitude.trim_rad, -now[2], -attitude.heel_rad, "YXZ");
   picture.updateMatrixWorld();
 }

@@ -3,7 +3,8 @@
  * freeboard, house and bridge are ours, in proportions that are usual for the type (from memory, not from a source).
  */
 import { Hull, ends } from "./hull";
-import type { Pair } from "../protocol";
+import { USUAL_EYE_M } from "./look";
+import type { ConningInfo, Pair } from "../protocol";
 
 export type Kind = "bulk" | "tanker" | "container" | "ro-ro" | "passenger" | "tug";
 
@@ -19,6 +20,8 @@ export interface Arrangement {
   house: { aft_m: number; fore_m: number; half_m: number; bridge_deck_m: number };
   /** The wheelhouse: its front, half its breadth without and with wings, and its height [m]. */
   bridge: { fore_m: number; aft_m: number; half_m: number; wing_m: number; height_m: number };
+  /** Where the eye stands on the bridge: forward, starboard, and height above the waterline; `null`: as usual [m]. */
+  conning: [forward: number, starboard: number, up: number] | null;
   /** Height of the lower masthead light above the water [m]. */
   mast_m: number;
 }
@@ -30,6 +33,10 @@ export interface Vessel {
   beam_m: number;
   draught_m: number;
   is_tug: boolean;
+  /** The type that the scenario gives. */
+  kind?: Kind | null;
+  /** The place of the eye on the bridge that the scenario gives. */
+  conning?: ConningInfo | null;
 }
 
 const KINDS: [RegExp, Kind][] = [
@@ -39,8 +46,9 @@ const KINDS: [RegExp, Kind][] = [
   [/cruise|passenger/i, "passenger"],
 ];
 
-/** The type of a vessel, by the words of her title; a bulk carrier if the title says nothing. */
-export function kindOf({ title, is_tug }: Pick<Vessel, "title" | "is_tug">): Kind {
+/** The type of a vessel: as the scenario says, or by the words of her title; a bulk carrier if the title says nothing. */
+export function kindOf({ title, is_tug, kind }: Pick<Vessel, "title" | "is_tug" | "kind">): Kind {
+  if (kind) return kind;
   if (is_tug || /\btug\b/i.test(title)) return "tug";
   return KINDS.find(([words]) => words.test(title))?.[1] ?? "bulk";
 }
@@ -48,7 +56,9 @@ export function kindOf({ title, is_tug }: Pick<Vessel, "title" | "is_tug">): Kin
 /** Height of a deck in a house [m]. */
 export const STOREY_M = 2.8;
 /** Height of an eye above the deck [m]. */
-export const EYE_M = 1.75;
+export const EYE_M = USUAL_EYE_M;
+/** How far before the front of the wheelhouse the eye is, so that no window frame is in the way [m]. */
+export const AHEAD_M = 0.4;
 
 /** Freeboard over beam, and storeys of the house below the bridge deck. */
 const PROPORTIONS: Record<Kind, { freeboard: number; storeys(length_m: number): number }> = {
@@ -80,7 +90,10 @@ export function arrangementOf(vessel: Vessel, outline: Pair[]): Arrangement {
   const small = Math.min(1, length_m / 90);
   const storey_m = STOREY_M * small;
   const half = Math.max(...hull.breadth(along(0.5)));
-  const bridge_deck_m = deck_m + storeys(length_m) * storey_m;
+  const conning = vessel.conning ?? null;
+  const bridge_deck_m = conning
+    ? Math.max(deck_m, conning.eye_above_water_m - EYE_M)
+    : deck_m + storeys(length_m) * storey_m;
   const houses: Record<Kind, Pair> = {
     bulk: [0.055, 0.135],
     tanker: [0.06, 0.15],
@@ -89,7 +102,12 @@ export function arrangementOf(vessel: Vessel, outline: Pair[]): Arrangement {
     passenger: [0.1, 0.86],
     tug: [0.42, 0.7],
   };
-  const [from, to] = houses[kind].map(along) as Pair;
+  const [usual, front] = houses[kind].map(along) as Pair;
+  // The house stands under the bridge.
+  const shift = conning && !isTug ? conning.at_m[0] - AHEAD_M - front : 0;
+  const from = Math.max(aft + 0.5, usual + shift);
+  const to = Math.min(fore - 1, front + shift);
+  const eye: Arrangement["conning"] = conning && [...conning.at_m, conning.eye_above_water_m];
   if (isTug) {
     const floor_m = deck_m + 0.12 * length_m;
     return {
@@ -107,6 +125,7 @@ export function arrangementOf(vessel: Vessel, outline: Pair[]): Arrangement {
         height_m: 0.095 * length_m,
       },
       mast_m: floor_m + 0.28 * length_m,
+      conning: eye,
     };
   }
   return {
@@ -129,5 +148,6 @@ export function arrangementOf(vessel: Vessel, outline: Pair[]): Arrangement {
       height_m: storey_m,
     },
     mast_m: bridge_deck_m + storey_m + 5 * small,
+    conning: eye,
   };
 }

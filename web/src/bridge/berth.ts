@@ -1,6 +1,7 @@
 /**
- * Quays, dolphins and bollards. A fixed body has an outline and no height: quays are drawn with the height that is usual
- * where tides are small. Faces reach below the water; the colour of concrete is made by the material.
+ * Quays, dolphins and bollards. A fixed body has an outline and no height: its deck lies under its bollards, or as high as is
+ * usual where tides are small. Heights count from datum. Faces reach below the water; the colour of concrete is made by the
+ * material.
  */
 import type { Colour, Spot } from "./solids";
 import { Solids } from "./solids";
@@ -8,10 +9,12 @@ import { add, dot, length, minus, times, turned } from "../geometry";
 import type { FenderInfo, Pair } from "../protocol";
 import { wrapped } from "../units";
 
-/** Height of a quay above the still water [m]. */
+/** Height of a quay above datum where neither bollards nor fenders tell it [m]. */
 export const QUAY_M = 3.5;
 /** Height of a bollard [m]. */
 export const STEM_M = 0.55;
+/** Height of the bight of a line on a bollard above its foot [m]. */
+export const BIGHT_M = STEM_M - 0.15;
 const BELOW_M = -9;
 /** A fixed body whose ends are no farther apart is a dolphin [m]. */
 const DOLPHIN_M = 22;
@@ -55,10 +58,25 @@ export const isDolphin = (outline: Pair[]): boolean => {
   return Math.max(span(0), span(1)) <= DOLPHIN_M;
 };
 
+/**
+ * Height of the deck of a fixed body above datum [m]: under its lowest bollard or line end of which the run has a height, or
+ * over its highest panel. `heights`: those of bollards and line ends; `tops`: upper edges of panels.
+ */
+export function deckHeight(heights: number[], tops: number[]): number {
+  const given = heights.filter((height) => height !== 0);
+  if (given.length > 0) return Math.max(0.5, Math.min(...given) - BIGHT_M);
+  return Math.max(QUAY_M, ...tops.map((top) => top + 0.2));
+}
+
 /** A fixed body, in its own axes. `cut`: splits a ring without holes into triangles of indices. */
-export function fixedParts(outline: Pair[], cut: (ring: Pair[]) => number[][], to: Solids): void {
-  if (isDolphin(outline)) dolphin(outline, to);
-  else quay(outline, cut, to);
+export function fixedParts(
+  outline: Pair[],
+  deck_m: number,
+  cut: (ring: Pair[]) => number[][],
+  to: Solids,
+): void {
+  if (isDolphin(outline)) dolphin(outline, deck_m, to);
+  else quay(outline, deck_m, cut, to);
 }
 
 /** Walls along a ring, seen from outside the ring, or from inside. */
@@ -122,25 +140,30 @@ function band(outer: Pair[], inner: Pair[], up_m: number, colour: Colour, to: So
   });
 }
 
-export function quay(outline: Pair[], cut: (ring: Pair[]) => number[][], to: Solids): void {
+export function quay(
+  outline: Pair[],
+  deck_m: number,
+  cut: (ring: Pair[]) => number[][],
+  to: Solids,
+): void {
   const kerb = inset(outline, 0.35);
   const cope = inset(outline, 1.1);
-  walls(outline, [BELOW_M, QUAY_M + 0.25], CONCRETE, "outside", to);
-  band(outline, kerb, QUAY_M + 0.25, EDGE, to);
+  walls(outline, [BELOW_M, deck_m + 0.25], CONCRETE, "outside", to);
+  band(outline, kerb, deck_m + 0.25, EDGE, to);
   // The kerb's back.
-  walls(kerb, [QUAY_M, QUAY_M + 0.25], COPE, "inside", to);
-  band(kerb, cope, QUAY_M, COPE, to);
-  lid(cope, cut, QUAY_M, DECK, to);
+  walls(kerb, [deck_m, deck_m + 0.25], COPE, "inside", to);
+  band(kerb, cope, deck_m, COPE, to);
+  lid(cope, cut, deck_m, DECK, to);
 }
 
-function dolphin(outline: Pair[], to: Solids): void {
+function dolphin(outline: Pair[], deck_m: number, to: Solids): void {
   const middle: Pair = [
     outline.reduce((sum, p) => sum + p[0], 0) / outline.length,
     outline.reduce((sum, p) => sum + p[1], 0) / outline.length,
   ];
-  to.prism(outline, QUAY_M - 1.6, QUAY_M, CONCRETE, DECK, CONCRETE);
+  to.prism(outline, deck_m - 1.6, deck_m, CONCRETE, DECK, CONCRETE);
   const cap = inset(outline, 0.3);
-  band(outline, cap, QUAY_M + 0.02, EDGE, to);
+  band(outline, cap, deck_m + 0.02, EDGE, to);
   // Piles lean outwards.
   for (const at of inset(outline, 1)) {
     const foot: Spot = [
@@ -148,7 +171,7 @@ function dolphin(outline: Pair[], to: Solids): void {
       at[1] + (at[1] - middle[1]) * 0.35,
       BELOW_M,
     ];
-    to.post(foot, [at[0], at[1], QUAY_M - 1.5], 0.55, 0x4a4f4e, { sides: 10, caps: false });
+    to.post(foot, [at[0], at[1], deck_m - 1.5], 0.55, 0x4a4f4e, { sides: 10, caps: false });
   }
 }
 

@@ -1,6 +1,8 @@
 /** The form of a line between two places: a catenary, by the line's length or by its tension. */
 import { type Triple, less } from "./axes";
 
+/** Pieces into which the picture divides a line. */
+export const PIECES = 28;
 /** Gravity [m/s²]. */
 const G = 9.80665;
 

@@ -1,5 +1,5 @@
 /** Places from which the view is seen: where an eye is aboard or ashore, and where it looks at first. */
-import { type Arrangement, EYE_M } from "./arrangement";
+import { AHEAD_M, type Arrangement, EYE_M } from "./arrangement";
 import { STEM_M } from "./berth";
 import type { Eye } from "./look";
 import type { Pair } from "../protocol";
@@ -30,6 +30,14 @@ export function seatOn(ship: Arrangement, eye: Exclude<Eye, "bollard" | "free">)
   switch (eye) {
     case "tug":
     case "bridge":
+      if (ship.conning) {
+        const [forward, starboard, up] = ship.conning;
+        return {
+          at: [forward, starboard],
+          up_m: up,
+          ...looks(0, -5, ship.kind === "tug" ? 55 : 42),
+        };
+      }
       return ship.kind === "tug"
         ? // In the middle of the wheelhouse's front, over the winch.
           {
@@ -37,7 +45,7 @@ export function seatOn(ship: Arrangement, eye: Exclude<Eye, "bollard" | "free">)
             up_m: house.bridge_deck_m + 0.62 * bridge.height_m,
             ...looks(0, -6, 55),
           }
-        : { at: [bridge.fore_m + 0.4, 0], up_m, ...looks(0, -5, 42) };
+        : { at: [bridge.fore_m + AHEAD_M, 0], up_m, ...looks(0, -5, 42) };
     case "port-wing":
     case "starboard-wing": {
       const side = eye === "port-wing" ? -1 : 1;

@@ -34,6 +34,8 @@ export interface Light {
   sun: Triple;
   /** Towards the light that casts shadows: sun or moon. */
   from: Triple;
+  /** Towards the disc of the sun, or of the moon at night; below the horizon it is not seen. */
+  disc: Triple;
   direct: Triple;
   sky: Triple;
   ground: Triple;
@@ -51,7 +53,7 @@ export interface Light {
   stars: number;
 }
 
-type Colours = Omit<Light, "sun" | "from" | "lamps">;
+type Colours = Omit<Light, "sun" | "from" | "disc" | "lamps">;
 
 const NOON: Colours = {
   direct: [3.1, 2.85, 2.5],
@@ -121,6 +123,7 @@ export function lightOf(sun: Sun): Light {
     lamps: high < 1 ? 1 : 0,
     sun: towards(sun),
     from: unit(towards(shown)),
+    disc: towards(isNight ? MOON : sun),
   };
 }
 

@@ -15,8 +15,8 @@ export type Eye = (typeof EYES)[number];
 /** Names on buttons, and in words for screen readers. */
 export const EYE_NAMES: Record<Eye, [label: string, spoken: string]> = {
   bridge: ["Bridge", "bridge"],
-  "port-wing": ["Port wing", "port bridge wing"],
-  "starboard-wing": ["Stb wing", "starboard bridge wing"],
+  "port-wing": ["Port", "port bridge wing"],
+  "starboard-wing": ["Stb", "starboard bridge wing"],
   bow: ["Bow", "bow"],
   stern: ["Stern", "stern"],
   tug: ["Tug", "tug's wheelhouse"],
@@ -43,12 +43,27 @@ export interface Look {
   view_rad: number | null;
   /** Distance of the free eye from the ship [m]. */
   off_m: number;
+  /** How much higher than usual the eye is [m]. */
+  lifted_m: number;
+  /** Index in `Hello.fenders` of the fender that the free eye looks at; `null`: the ship. */
+  fender: number | null;
+  /** Distances, path, forces and loads are drawn in the picture. */
+  marks: boolean;
   /** For a panorama of several windows: level, with this horizontal angle of view [rad]. */
   panorama_rad: number | null;
 }
 
-/** A look that an address asks for, such as `?view=bridge&bearing=-60&fov=60`; `null` if it asks for none. */
-export function lookOf(search: string): Pick<Look, "eye" | "turn_rad" | "panorama_rad"> | null {
+/** The least and the greatest height of an eye above its deck, and what is usual [m]. */
+export const EYE_LIMITS_M: [number, number] = [1, 3];
+export const USUAL_EYE_M = 1.75;
+
+/**
+ * A look that an address asks for, such as `?view=bridge&bearing=-60&fov=60&eye=1.6&marks`; `null` if it asks for none. `eye`:
+ * height of the eye above the deck [m].
+ */
+export function lookOf(
+  search: string,
+): Pick<Look, "eye" | "turn_rad" | "panorama_rad" | "lifted_m" | "marks"> | null {
   const asked = new URLSearchParams(search);
   const eye = EYES.find((each) => each === asked.get("view"));
   if (!eye) return null;
@@ -62,5 +77,7 @@ export function lookOf(search: string): Pick<Look, "eye" | "turn_rad" | "panoram
     eye,
     turn_rad: (number("bearing", -180, 180) ?? 0) * DEG,
     panorama_rad: fov === null ? null : fov * DEG,
+    lifted_m: (number("eye", ...EYE_LIMITS_M) ?? USUAL_EYE_M) - USUAL_EYE_M,
+    marks: asked.has("marks"),
   };
 }

@@ -22,6 +22,9 @@ export const BEACON_LIGHT_M = 9.5;
 export const lampHeight = (feature: ChartInfo): number =>
   feature.kind === "buoy" ? BUOY_LIGHT_M : feature.kind === "beacon" ? BEACON_LIGHT_M : 14;
 
+/** Buoys rise with the water; beacons and lights stand on the ground. */
+export const floats = ({ kind }: ChartInfo): boolean => kind === "buoy";
+
 /** Draws a mark at a place [north, east] about the origin. */
 export function mark(feature: ChartInfo, at: Pair, to: Solids): void {
   const layers = bands(feature, COLOURS).map(number);

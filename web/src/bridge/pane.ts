@@ -2,7 +2,18 @@
  * The view out of the window as a part of the page: canvas, buttons for the places of the eye, looking around by drag, touch
  * and keys. What draws the picture is loaded when the view is first shown. Without it the page stays usable and says so.
  */
-import { EYES, EYE_NAMES, type Eye, type Look, VIEW_LIMITS, lookOf } from "./look";
+import { Film } from "./film";
+import { figures } from "./in_picture";
+import {
+  EYES,
+  EYE_LIMITS_M,
+  EYE_NAMES,
+  type Eye,
+  type Look,
+  USUAL_EYE_M,
+  VIEW_LIMITS,
+  lookOf,
+} from "./look";
 import type { Picture } from "./picture";
 import { fileNameOf } from "../file_name";
 import { clamp } from "../geometry";
@@ -16,6 +27,10 @@ const DEG = Math.PI / 180;
 /** A key turns the eye by this share of the angle of view. */
 const KEY_SHARE = 0.12;
 const ZOOM_STEP = 1.25;
+/** A key lifts the eye by so much [m]. */
+const LIFT_STEP_M = 0.1;
+/** Size of the picture of the largest fender load [px]. */
+const MOMENT: Pair = [1280, 720];
 /** Slower drawing than this makes the picture coarser [ms]. */
 const SLOW_MS = 45;
 const SLOWEST_MS = 125;
@@ -28,6 +43,9 @@ const LEAST_DETAIL = 0.5;
 const SAVED_MS = 10_000;
 /** Distances of the free eye [m]. */
 const OFF_LIMITS: Pair = [25, 3000];
+
+/** How often the loading of the view is looked at before it counts as failed. */
+const LOADS_IN = 300;
 
 /** How the view shares the place of the plan with it. */
 export type Share = "plan" | "view" | "both";
@@ -45,7 +63,19 @@ export class Pane {
     "aria-label": "View out of the window",
   });
   private readonly caption = h("p", { class: "window-caption", "aria-live": "off" });
+  /** Figures over the picture, and labels in it. */
+  private readonly figures = h("div", { class: "window-figures hidden", "aria-live": "off" });
+  private readonly labels = h("div", { class: "window-labels", "aria-hidden": "true" });
+  private readonly film = new Film();
   private readonly message = h("p", { class: "window-message hidden", role: "status" });
+  private readonly marksButton = button("Marks", () => this.toggleMarks(), {
+    name: "Marks: distances, path, forces and loads in the picture (M)",
+    "aria-pressed": "false",
+  });
+  private readonly filmButton = button("Film", () => void this.roll(), {
+    name: "Film: record this view into a file, until pressed again",
+    "aria-pressed": "false",
+  });
   private readonly eyes: [Eye, HTMLButtonElement][];
   private readonly bothButton = button("Both", () => this.both(), {
     name: "Both: plan below the view, or not",
@@ -64,6 +94,9 @@ export class Pane {
     raise_rad: 0,
     view_rad: null,
     off_m: 320,
+    lifted_m: 0,
+    fender: null,
+    marks: false,
     panorama_rad: null,
   };
   /** The look that each eye was left with. */
@@ -96,7 +129,8 @@ export class Pane {
       "section",
       { class: "window", "aria-label": "View out of the window" },
       this.canvas,
-      this.caption,
+      this.labels,
+      h("div", { class: "window-words" }, this.caption, this.figures),
       this.message,
       h(
         "div",
@@ -105,12 +139,21 @@ export class Pane {
         button("+", () => this.zoom(ZOOM_STEP), { name: "Narrower view (+)" }),
         button("−", () => this.zoom(1 / ZOOM_STEP), { name: "Wider view (−)" }),
         button("Reset", () => this.reset(), { name: "Reset: look ahead again (Home)" }),
+        this.marksButton,
         button("Picture", () => void this.save(), { name: "Picture: save this view" }),
+        this.filmButton,
         this.bothButton,
         button("Plan", () => this.around.share("plan"), { name: "Plan: close the view (,)" }),
       ),
     );
+    setAttribute(this.marksButton, "aria-pressed", String(this.look.marks));
     this.listen();
+  }
+
+  private toggleMarks(): void {
+    this.look.marks = !this.look.marks;
+    setAttribute(this.marksButton, "aria-pressed", String(this.look.marks));
+    this.drawLabels();
   }
 
   /** What the address of the page asks for: a view, or nothing but a view; `null` if it asks for no view. */
@@ -159,6 +202,7 @@ export class Pane {
 
   private choose(eye: Eye): void {
     const again = eye === this.look.eye;
+    this.look.fender = null;
     if (eye === "tug") this.look.vessel = this.next(this.tugs(), again ? this.look.vessel : null);
     else if (eye === "bollard") this.look.bollard = this.nextBollard(again);
     if (!again) {
@@ -234,7 +278,7 @@ export class Pane {
           : ` (${side < 0 ? "P" : "S"} ${fixed(Math.abs(toDegrees(side)), 0)}°)`;
     setText(
       this.caption,
-      `${words.replace(/^./, (c) => c.toUpperCase())}${whose ? `, ${whose}` : ""}: ${heading(bearing_rad, 0)}${relative}, ${elevation_rad < 0 ? "down" : "up"} ${fixed(Math.abs(toDegrees(elevation_rad)), 0)}°, view ${fixed(toDegrees(view_rad), 0)}°${this.detail < 1 ? "; coarse, because this machine draws slowly" : ""}`,
+      `${words.replace(/^./, (c) => c.toUpperCase())}${whose ? `, ${whose}` : ""}: ${heading(bearing_rad, 0)}${relative}, ${elevation_rad < 0 ? "down" : "up"} ${fixed(Math.abs(toDegrees(elevation_rad)), 0)}°, view ${fixed(toDegrees(view_rad), 0)}°${this.detail < 1 ? "; coarse, because this machine draws slowly" : ""}${this.lift()}`,
     );
     setAttribute(
       this.canvas,
@@ -243,7 +287,37 @@ export class Pane {
     );
   }
 
+  private lift(): string {
+    const { lifted_m, eye } = this.look;
+    if (eye === "free" || eye === "bollard" || Math.abs(lifted_m) < 0.01) return "";
+    return `; eye ${fixed(USUAL_EYE_M + lifted_m, 1)} m above the deck`;
+  }
+
   private described_ms = 0;
+  private drawings = 0;
+
+  /** Figures and labels of the marks, at the places of this drawing. */
+  private drawLabels(): void {
+    const { hello, frame } = this.live;
+    const shown = this.look.marks && this.picture && hello && frame;
+    setClass(this.figures, "hidden", !shown);
+    const all = shown ? (this.picture?.labelled() ?? []) : [];
+    while (this.labels.children.length < all.length) this.labels.append(h("span"));
+    [...this.labels.children].forEach((each, i) => {
+      const label = all[i];
+      const span = each as HTMLElement;
+      if (span.hidden !== !label) span.hidden = !label;
+      if (!label) return;
+      setText(span, label.text);
+      span.className = label.level;
+      span.style.left = `${(100 * label.x).toFixed(2)}%`;
+      span.style.top = `${(100 * label.y).toFixed(2)}%`;
+    });
+    if (shown) {
+      const vessel = this.look.eye === "tug" ? this.look.vessel : this.live.ship();
+      setText(this.figures, figures(frame, hello, vessel, this.live.ship()).join("\n"));
+    }
+  }
 
   // ---------------------------------------------------------------------------------------------------- drawing
 
@@ -282,6 +356,8 @@ export class Pane {
       this.built = hello;
     }
     picture.draw(now_ms, this.look);
+    this.drawings += 1;
+    if (this.look.marks) this.drawLabels();
     this.scripts.push(performance.now() - begun);
     if (this.scripts.length > REMEMBERED) this.scripts.shift();
     if (now_ms - this.described_ms > 200) {
@@ -289,6 +365,7 @@ export class Pane {
       this.describe();
       // For tests.
       canvas.dataset.script = median(this.scripts).toFixed(2);
+      canvas.dataset.drawn = String(this.drawings);
       canvas.dataset.triangles = String(picture.triangles);
       canvas.dataset.interval = this.interval_ms.toFixed(1);
     }
@@ -318,13 +395,25 @@ export class Pane {
   }
 
   private reset(): void {
-    Object.assign(this.look, { turn_rad: 0, raise_rad: 0, view_rad: null });
+    Object.assign(this.look, {
+      turn_rad: 0,
+      raise_rad: 0,
+      view_rad: null,
+      lifted_m: 0,
+      fender: null,
+    });
     this.look.off_m = 320;
   }
 
   private turn(by_rad: number, up_rad: number): void {
     this.look.turn_rad = wrapped(this.look.turn_rad + by_rad);
     this.look.raise_rad = clamp(this.look.raise_rad + up_rad, -1.5, 1.5);
+  }
+
+  /** Own height of the eye above the deck. */
+  private liftBy(by_m: number): void {
+    const [least, most] = EYE_LIMITS_M;
+    this.look.lifted_m = clamp(this.look.lifted_m + by_m, least - USUAL_EYE_M, most - USUAL_EYE_M);
   }
 
   private view(): number {
@@ -387,6 +476,9 @@ export class Pane {
         "=": () => this.zoom(ZOOM_STEP),
         "-": () => this.zoom(1 / ZOOM_STEP),
         Home: () => this.reset(),
+        PageUp: () => this.liftBy(LIFT_STEP_M),
+        PageDown: () => this.liftBy(-LIFT_STEP_M),
+        m: () => this.toggleMarks(),
       };
       const act = done[event.key];
       if (act) act();
@@ -408,11 +500,61 @@ export class Pane {
       this.around.say("The browser made no picture of this view.");
       return;
     }
+    this.keep(blob, this.look.eye, "png");
+  }
+
+  /** Hands a file to the browser, which saves it. */
+  private keep(blob: Blob, what: string, ending: string): void {
     const url = URL.createObjectURL(blob);
     const t_s = Math.round(this.live.frame?.t_s ?? 0);
-    const name = `${fileNameOf(this.live.hello?.title ?? "")}-${this.look.eye}-${t_s}s.png`;
+    const name = `${fileNameOf(this.live.hello?.title ?? "")}-${what}-${t_s}s.${ending}`;
     h("a", { href: url, download: name }).click();
     setTimeout(() => URL.revokeObjectURL(url), SAVED_MS);
+  }
+
+  /** Begins a film of the view, or ends it and saves the file. */
+  private async roll(): Promise<void> {
+    if (this.film.runs) {
+      setAttribute(this.filmButton, "aria-pressed", "false");
+      const film = await this.film.stop();
+      if (film) this.keep(film, `${this.look.eye}-film`, "webm");
+      else this.around.say("The film is empty: nothing was drawn meanwhile.");
+      return;
+    }
+    if (this.state !== "open") return;
+    const begun = this.film.start(this.canvas, (why) => {
+      setAttribute(this.filmButton, "aria-pressed", "false");
+      void this.film.stop();
+      this.around.say(`The film broke off: ${why}.`);
+    });
+    if (begun) setAttribute(this.filmButton, "aria-pressed", "true");
+    else this.around.say("This browser records no films of a view; Picture saves single pictures.");
+  }
+
+  /**
+   * Looks at a fender from the edge of the quay and saves the picture. Resolves to whether a picture was made. The page has
+   * gone to the moment before.
+   */
+  async fenderPicture(fender: number): Promise<boolean> {
+    if (this.state === "closed") void this.load();
+    for (let i = 0; i < LOADS_IN && this.state !== "open"; i++) {
+      if (this.state === "failed" || this.state === "lost") return false;
+      await new Promise((done) => setTimeout(done, 100));
+    }
+    const { picture } = this;
+    const { hello } = this.live;
+    if (!picture || !hello) return false;
+    const { turn_rad, raise_rad, view_rad, eye } = this.look;
+    if (eye !== "free") this.left.set(eye, { turn_rad, raise_rad, view_rad });
+    Object.assign(this.look, { eye: "free", fender, view_rad: null, panorama_rad: null });
+    this.mark();
+    if (this.built === null) {
+      picture.build(hello, this.live.bodies(performance.now()));
+      this.built = hello;
+    }
+    const blob = await picture.still(...MOMENT, this.look, performance.now());
+    if (blob) this.keep(blob, hello.fenders[fender]?.name ?? "fender", "png");
+    return blob !== null;
   }
 }
 
@@ -433,6 +575,8 @@ function isSame(a: Hello, b: Hello): boolean {
     traffic,
     chart,
     role,
+    sea,
+    daylight,
   }: Hello) =>
     JSON.stringify([
       file,
@@ -446,6 +590,8 @@ function isSame(a: Hello, b: Hello): boolean {
       traffic,
       chart.length,
       role,
+      sea,
+      daylight,
     ]);
   return of(a) === of(b);
 }

@@ -18,27 +18,38 @@ import {
   WebGLRenderer,
 } from "three";
 import { type Arrangement, type Vessel, arrangementOf } from "./arrangement";
-import { type Attitude, LEVEL, aim, stand } from "./aim";
+import { type Attitude, LEVEL, aim, fixedIn, stand } from "./aim";
 import { type Triple, aboard, toPicture } from "./axes";
-import { QUAY_M, STEM_M, bollard, fixedParts, quay, quaysOf } from "./berth";
-import { catenary, weightOf } from "./catenary";
+import { BIGHT_M, QUAY_M, bollard, deckHeight, fixedParts, quay, quaysOf } from "./berth";
+import { PIECES, catenary, weightOf } from "./catenary";
 import { type Seat, seatAtBollard, seatOn } from "./eyes";
-import { Fenders, geometryOf } from "./fenders";
+import { Fenders, geometryOf, middleOf } from "./fenders";
 import type { Paint } from "./fittings";
 import { Glows } from "./glows";
 import { type Lamp, type LampColour, atAnchor, bearingFrom, isSeen, underWay } from "./lamps";
 import { MOST_TREES, cut, land } from "./land";
 import { type Light, PALETTE_SUNS, density, lightOf } from "./light";
 import type { Look } from "./look";
-import { lampHeight, mark } from "./marks";
+import { floats, lampHeight, mark } from "./marks";
 import { type Shared, paintwork } from "./paintwork";
-import { PIECES, Ropes } from "./ropes";
+import {
+  type Label,
+  type Stroke,
+  MOST_GHOSTS,
+  arrow,
+  colourOf,
+  loadLabel,
+  pathStrokes,
+  tugLabel,
+} from "./in_picture";
+import { Ropes } from "./ropes";
 import { Sea, type Wake } from "./sea";
 import { PAINTS, shipParts } from "./ship";
 import { shine, sky, skyUniforms } from "./sky";
 import { Solids, linearOf } from "./solids";
 import { TUG_PAINT } from "./tug";
-import { components, surface } from "./waves";
+import { sunOf } from "./sun";
+import { surface } from "./waves";
 import { isLit } from "../character";
 import { clamp, onEarth, turned } from "../geometry";
 import { type Live, isOfTug } from "../live";
@@ -60,6 +71,7 @@ interface Ship {
 
 /** Slack below which a line counts as without tension [N]. */
 const SLACK_N = 50;
+const LEVELS: Record<Label["level"], number> = { plain: 0, caution: 1, alarm: 2 };
 /** Half the side of the square that casts shadows [m]. */
 const SHADOW_M = 170;
 
@@ -77,7 +89,10 @@ export class Picture {
   private readonly ambient = new HemisphereLight();
   private readonly sea: Sea;
   private readonly dome = sky(this.shared);
-  private readonly ropes = new Ropes(this.shared, 64);
+  private readonly ropes = new Ropes(this.shared);
+  private readonly strokes: Ropes;
+  private readonly paths: Ropes;
+  private labels: Label[] = [];
   private readonly glows = new Glows(this.shared, 1024);
   private fenders: Fenders | null = null;
   private ships: Ship[] = [];
@@ -89,16 +104,26 @@ export class Picture {
   private visibility_m: number | null | undefined;
   /** Triangles of the last drawing. */
   triangles = 0;
-  private waves = components(null);
-  private waveKey = "";
   private built = new Group();
+  /** What stands on the ground and has heights above datum: land, beacons. */
+  private ground = new Group();
+  /** Level of the water above datum [m]. */
+  private water_m = 0;
+  /** Heights of the decks of fixed bodies above datum [m]. */
+  private decks: number[] = [];
+  private chosen: PaletteName = "day";
+  /** Elevation and azimuth of the sun whose light is on, in whole tenths of a degree. */
+  private shining = "";
 
   constructor(
     canvas: HTMLCanvasElement,
     private readonly live: Live,
     private readonly options: Options,
   ) {
-    this.sea = new Sea(this.shared, options.cheap ? 1 : 8);
+    this.strokes = new Ropes(this.shared, "through");
+    this.paths = new Ropes(this.shared, "behind");
+    this.paths.room(MOST_GHOSTS);
+    this.sea = new Sea(this.shared, options.cheap);
     this.renderer = new WebGLRenderer({
       canvas,
       antialias: !options.cheap,
@@ -123,6 +148,8 @@ export class Picture {
       this.direct,
       this.direct.target,
       this.ropes.mesh,
+      this.strokes.mesh,
+      this.paths.mesh,
       this.glows.points,
       this.built,
     );
@@ -135,6 +162,8 @@ export class Picture {
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.ropes.pixels(width * ratio, height * ratio);
+    this.strokes.pixels(width * ratio, height * ratio);
+    this.paths.pixels(width * ratio, height * ratio);
     this.glows.scale(height * ratio);
   }
 
@@ -180,7 +209,11 @@ export class Picture {
     this.origin = ship
       ? [Math.round(ship[0] / 1000) * 1000, Math.round(ship[1] / 1000) * 1000]
       : [0, 0];
-    this.waveKey = "";
+    this.ropes.room(hello.lines.length + hello.anchors.length + hello.tugs.length);
+    this.sea.sea(hello.sea, this.origin);
+    this.decks = hello.bodies.map((_, i) => this.deckOf(hello, i));
+    this.ground = new Group();
+    this.built.add(this.ground);
     const concrete = paintwork(this.shared, "concrete");
     const steel = paintwork(this.shared, "steel");
     const panes = paintwork(this.shared, "panes");
@@ -191,12 +224,13 @@ export class Picture {
       const vessel = hello.vessels.findIndex(({ body }) => body === i);
       if (fixed) {
         const parts = new Solids();
-        if (outline.length > 0) fixedParts(outline, cut, parts);
-        else for (const ring of this.quays(hello, i)) quay(ring, cut, parts);
+        const deck_m = this.decks[i] ?? QUAY_M;
+        if (outline.length > 0) fixedParts(outline, deck_m, cut, parts);
+        else for (const ring of this.quays(hello, i)) quay(ring, deck_m, cut, parts);
         const mesh = new Mesh(geometryOf(parts), concrete);
         mesh.receiveShadow = mesh.castShadow = true;
         group.add(mesh);
-      } else {
+      } else if (outline.length >= 3) {
         const info = hello.vessels[vessel];
         const known = info ?? unknown(outline, hello.bodies[i]?.name ?? "");
         const built = this.ship(known, outline, vessel >= 0 ? vessel : i, [steel, panes]);
@@ -207,6 +241,7 @@ export class Picture {
       return group;
     });
     hello.traffic.forEach(({ name, outline }, i) => {
+      if (outline.length < 3) return;
       const built = this.ship(unknown(outline, name), outline, i + 1, [steel, panes]);
       this.built.add(built.group);
       this.ships.push({ ...built, body: -1, index: i });
@@ -225,6 +260,7 @@ export class Picture {
       (body) => this.bodies[body] ?? null,
       (fender) => isOfTug(fender, hello),
       plain,
+      (body) => hello.bodies[body]?.fixed ?? true,
     );
     const fixed = hello.bodies.flatMap(({ fixed, outline }, i): Pair[][] => {
       const on = bodies[i];
@@ -239,15 +275,38 @@ export class Picture {
       this.shared,
       this.options.cheap ? MOST_TREES / 4 : MOST_TREES,
     );
-    const marks = new Solids();
+    for (const mesh of meshes) this.ground.add(mesh);
+    const [afloat, ashore] = [new Solids(), new Solids()];
     for (const feature of hello.chart) {
       const at = feature.lines[0]?.[0];
       if (at && feature.shape === "point")
-        mark(feature, [at[0] - this.origin[0], at[1] - this.origin[1]], marks);
+        mark(
+          feature,
+          [at[0] - this.origin[0], at[1] - this.origin[1]],
+          floats(feature) ? afloat : ashore,
+        );
     }
-    const marksMesh = new Mesh(geometryOf(marks), plain);
-    marksMesh.castShadow = true;
-    this.built.add(...meshes, marksMesh);
+    for (const [marks, on] of [
+      [afloat, this.built],
+      [ashore, this.ground],
+    ] as const) {
+      const mesh = new Mesh(geometryOf(marks), plain);
+      mesh.castShadow = true;
+      on.add(mesh);
+    }
+  }
+
+  /** Height of the deck of a fixed body above datum [m]. */
+  private deckOf({ bollards, lines, fenders }: Hello, body: number): number {
+    const ends = lines.flatMap(({ end }) =>
+      end && "body" in end && end.body === body ? [end.above_water_m] : [],
+    );
+    return deckHeight(
+      [...bollards.filter((each) => each.body === body).map((b) => b.above_water_m), ...ends],
+      fenders
+        .filter((fender) => fender.body === body && !fender.floating)
+        .map((fender) => middleOf(fender) + fender.height_m / 2),
+    );
   }
 
   private ship(
@@ -288,10 +347,11 @@ export class Picture {
       if (!parts) perBody.set(body, (parts = new Solids()));
       return parts;
     };
-    for (const { body, at_m } of hello.bollards) bollard(at_m, this.deck(body, at_m), on(body));
+    for (const { body, at_m, above_water_m } of hello.bollards)
+      bollard(at_m, this.foot(body, at_m, above_water_m), on(body));
     for (const { end } of hello.lines)
       if (end && "body" in end && hello.bodies[end.body]?.fixed)
-        bollard(end.at_m, this.deck(end.body, end.at_m), on(end.body));
+        bollard(end.at_m, this.foot(end.body, end.at_m, end.above_water_m), on(end.body));
     for (const [body, parts] of perBody) {
       const mesh = new Mesh(geometryOf(parts), steel);
       mesh.castShadow = true;
@@ -299,17 +359,33 @@ export class Picture {
     }
   }
 
-  /** Height of the deck of a body at a place above the water [m]. */
+  /** Height of the deck of a body at a place above its water, or above datum if the body is fixed [m]. */
   private deck(body: number, [forward]: Pair): number {
     const ship = this.ships.find((each) => each.body === body);
-    return ship ? ship.arrangement.hull.deck_m(forward) : QUAY_M;
+    return ship ? ship.arrangement.hull.deck_m(forward) : (this.decks[body] ?? QUAY_M);
+  }
+
+  /** Height of the foot of a bollard; `height_m`: where lines hold on it, 0 if the scenario gives no height [m]. */
+  private foot(body: number, at: Pair, height_m: number): number {
+    return height_m === 0 ? this.deck(body, at) : height_m - BIGHT_M;
   }
 
   // ----------------------------------------------------------------------------------------------------- light
 
-  /** The palette of the page stands for the time of day. */
+  /** The palette of the page stands for the time of day, where the scenario gives no date. */
   palette(name: PaletteName): void {
-    this.light = lightOf(PALETTE_SUNS[name]);
+    this.chosen = name;
+    this.shining = "";
+  }
+
+  /** The light of the run's time, or of the palette. */
+  private sun(t_s: number): void {
+    const sun = sunOf(this.hello?.daylight ?? null, t_s) ?? PALETTE_SUNS[this.chosen];
+    const tenths = (rad: number) => Math.round((rad * 1800) / Math.PI);
+    const key = `${tenths(sun.elevation_rad)} ${tenths(sun.azimuth_rad)}`;
+    if (key === this.shining) return;
+    this.shining = key;
+    this.light = lightOf(sun);
     this.visibility_m = undefined;
   }
 
@@ -358,18 +434,25 @@ export class Picture {
     const bodies = this.live.bodies(now_ms);
     const t_s = this.live.time(now_ms);
     const share = this.live.share(now_ms);
+    this.sun(t_s);
     this.lighten(frame.visibility_m);
+    const before = this.live.previous?.water_level_m ?? frame.water_level_m;
+    this.water_m = before + (frame.water_level_m - before) * share;
+    this.ground.position.y = -this.water_m;
     this.place(bodies, frame, share);
-    this.fenders?.tick(frame.fenders);
-    this.aim(look, frame);
-    this.lines(frame, hello);
+    this.fenders?.tick(frame.fenders, this.water_m);
+    this.aim(look, t_s);
+    // Two strokes for an arrow.
+    const arrows = 2 * (frame.contacts.length + hello.tugs.length);
+    this.strokes.room(hello.lines.length + arrows);
+    this.strokes.begin();
+    this.paths.begin();
+    this.labels = [];
+    this.lines(frame, hello, look.marks);
+    if (look.marks) this.mark(frame, hello, look);
+    this.strokes.end();
+    this.paths.end();
     this.lights(frame, t_s);
-    const key = JSON.stringify(frame.waves);
-    if (key !== this.waveKey) {
-      this.waveKey = key;
-      this.waves = components(frame.waves);
-      this.sea.sea(this.waves, this.origin);
-    }
     const { x, y, z } = this.camera.position;
     this.sea.tick([x, y, z], t_s, frame.wind);
     this.sea.wake(this.wakes(frame, bodies));
@@ -387,7 +470,7 @@ export class Picture {
     return {
       heel_rad: mix(from.heel_rad, to.heel_rad),
       trim_rad: mix(from.trim_rad, to.trim_rad),
-      squat_m: mix(from.squat_m, to.squat_m),
+      sunk_m: mix(from.squat_m + from.heave_m, to.squat_m + to.heave_m),
     };
   }
 
@@ -399,7 +482,8 @@ export class Picture {
       group.visible = now !== null;
       if (!now) return;
       const index = live.hello?.vessels.findIndex(({ body }) => body === i) ?? -1;
-      stand(group, origin, now, index >= 0 ? this.attitude(index, frame, share) : LEVEL);
+      const lies = live.hello?.bodies[i]?.fixed ? fixedIn(this.water_m) : LEVEL;
+      stand(group, origin, now, index >= 0 ? this.attitude(index, frame, share) : lies);
     });
     const passing = frame.traffic;
     for (const ship of this.ships) {
@@ -449,12 +533,14 @@ export class Picture {
     return ship ? { seat: seatOn(ship.arrangement, look.eye), on: ship.group } : null;
   }
 
-  private aim(look: Look, frame: Frame): void {
+  private aim(look: Look, t_s: number): void {
     const { camera } = this;
     const at = this.seat(look);
     if (at) {
-      aim(camera, at.seat, at.on.matrixWorld, look);
-    } else {
+      const { seat, on } = at;
+      const lifted = look.eye === "bollard" ? 0 : look.lifted_m;
+      aim(camera, { ...seat, up_m: seat.up_m + lifted }, on.matrixWorld, look);
+    } else if (!this.atFender(look)) {
       const ship = this.shipOf(look.vessel) ?? this.ships[0];
       const centre = ship ? ship.group.position.clone() : new Vector3();
       const heading = ship ? -ship.group.rotation.y : 0;
@@ -470,14 +556,34 @@ export class Picture {
     }
     // An eye ashore or on a free place is never in a wave.
     const sea = surface(
-      this.waves,
+      this.hello?.sea ?? [],
       this.origin[0] - camera.position.z,
       this.origin[1] + camera.position.x,
-      frame.t_s,
+      t_s,
     );
     camera.position.y = Math.max(camera.position.y, sea + 0.8);
     camera.updateProjectionMatrix();
     camera.updateMatrixWorld();
+  }
+
+  /** Puts the free eye on the edge of the quay beside a fender, so that panel, rubber and ship's side are seen. */
+  private atFender(look: Look): boolean {
+    const info = look.fender === null ? undefined : this.hello?.fenders[look.fender];
+    const on = info && this.bodies[info.body];
+    if (!info || !on) return false;
+    const middle = middleOf(info);
+    const far = 5 + 3 * info.width_m;
+    const place = (out: number, along: number, up: number) => {
+      const [f, s] = turned(info.facing_rad, [out, along]);
+      return new Vector3(...aboard([info.at_m[0] + f, info.at_m[1] + s], up)).applyMatrix4(
+        on.matrixWorld,
+      );
+    };
+    const { camera } = this;
+    camera.position.copy(place(0.3 * info.projection_m, -far, middle + 0.55 * far));
+    camera.lookAt(place(0.5 * info.projection_m, 0, middle));
+    camera.fov = deg(look.view_rad ?? 0.75);
+    return true;
   }
 
   /** Direction in which the camera looks, from north [rad], its elevation, and its vertical angle of view. */
@@ -492,7 +598,7 @@ export class Picture {
 
   // -------------------------------------------------------------------------------------------- lines and chains
 
-  private lines(frame: Frame, hello: Hello): void {
+  private lines(frame: Frame, hello: Hello, marks: boolean): void {
     this.ropes.begin();
     hello.lines.forEach((info, i) => {
       const now = frame.lines[i];
@@ -511,13 +617,17 @@ export class Picture {
       // A rope of 1 MN is about 60 mm thick.
       const radius = 0.03 * Math.sqrt(info.breaking_n / 1e6);
       this.ropes.add(points, linearOf(now.over_working ? 0xe05a2a : 0xcfc6a8), radius);
+      if (!marks || now.state !== "fast") return;
+      const share = now.tension_n / Math.max(1, info.working_n);
+      this.stroke({ points, colour: colourOf(share), radius_m: 1.2 * radius });
+      const middle = points[Math.floor(PIECES / 2)];
+      if (middle && now.tension_n > 1000) this.labels.push(loadLabel(middle, now.tension_n, share));
     });
     hello.anchors.forEach((info, i) => {
       const now = frame.anchors[i];
       const on = this.bodies[info.ship];
       if (!now || !on || now.state === "housed" || now.state === "lost" || !on.visible) return;
-      const ship = this.ships.find(({ body }) => body === info.ship);
-      const up = ship ? ship.arrangement.hull.deck_m(info.hawse_m[0]) - 3 : 4;
+      const up = info.hawse_above_water_m || this.deck(info.ship, info.hawse_m) - 3;
       const from = this.worldOf(on, aboard(info.hawse_m, up));
       // The chain goes into the water in its lead; what lies below is not seen.
       const lead = now.lead_rad ?? 0;
@@ -554,6 +664,68 @@ export class Picture {
     this.ropes.end();
   }
 
+  private stroke({ points, colour, radius_m }: Stroke): void {
+    this.strokes.add(points, linearOf(colour), radius_m);
+  }
+
+  /** Marks on request: the predicted path, and arrows of the forces of contacts and tugs. */
+  private mark(frame: Frame, hello: Hello, look: Look): void {
+    this.strokes.bright(this.light.exposure);
+    this.paths.bright(this.light.exposure);
+    const path = this.live.prediction?.paths.find(({ vessel }) => vessel === look.vessel);
+    const outline = hello.bodies[hello.vessels[look.vessel]?.body ?? -1]?.outline ?? [];
+    if (path)
+      for (const each of pathStrokes(path, outline, (at) => toPicture(this.origin, at, 0.4)))
+        this.paths.add(each.points, linearOf(each.colour), each.radius_m);
+    const isTug = (body: number) =>
+      hello.vessels.some((vessel) => vessel.is_tug && vessel.body === body);
+    for (const { bodies, fender, at_m, force_n } of frame.contacts) {
+      const size_n = Math.hypot(...force_n);
+      if (size_n < 500) continue;
+      // The force on the ship: not on the quay, not on the tug.
+      const [first] = bodies;
+      const onFirst = !(hello.bodies[first]?.fixed ?? true) && !isTug(first);
+      const sign = onFirst ? 1 : -1;
+      const info = fender === null ? undefined : hello.fenders[fender];
+      const now = fender === null ? undefined : frame.fenders[fender];
+      const fixed = info ? (hello.bodies[info.body]?.fixed ?? false) : false;
+      const up = info ? middleOf(info) - (fixed && !info.floating ? this.water_m : 0) : 2;
+      const at = toPicture(this.origin, at_m, up);
+      const share = info && isTug(info.body) ? 0 : (now?.of_reaction ?? 0);
+      for (const each of arrow(at, [sign * force_n[1], -sign * force_n[0]], colourOf(share)))
+        this.stroke(each);
+      const tug = hello.vessels.find(({ body, is_tug }) => is_tug && bodies.includes(body));
+      const label: Triple = [at[0], at[1] + 1.2, at[2]];
+      this.labels.push(tug ? tugLabel(label, tug.name, size_n) : loadLabel(label, size_n, share));
+    }
+    hello.tugs.forEach((info, i) => {
+      const now = frame.tugs[i];
+      const on = this.bodies[hello.vessels[info.vessel]?.body ?? -1];
+      if (!now || !on?.visible || now.force_n < 500) return;
+      const place = now.order === "pull" ? info.pull_at_m : info.push_at_m;
+      const at = this.worldOf(on, aboard(place, 2));
+      const towards = now.direction_rad - on.rotation.y;
+      const vector: Pair = [Math.sin(towards) * now.force_n, -Math.cos(towards) * now.force_n];
+      for (const each of arrow(at, vector, colourOf(now.limited ? 1 : 0.5))) this.stroke(each);
+      this.labels.push(tugLabel([at[0], at[1] + 1.5, at[2]], info.name, now.force_n));
+    });
+  }
+
+  /** The labels of the last drawing, on the canvas: shares of its width and height from the upper left corner. */
+  labelled(): { x: number; y: number; text: string; level: Label["level"] }[] {
+    const all = this.labels.flatMap(({ at, text, level }) => {
+      const { x, y, z } = this.spot.set(...at).project(this.camera);
+      if (z > 1 || Math.abs(x) > 1 || Math.abs(y) > 1) return [];
+      return [{ x: (x + 1) / 2, y: (1 - y) / 2, text, level }];
+    });
+    // Of labels that lie on each other the gravest is written.
+    const shown: typeof all = [];
+    for (const label of all.toSorted((a, b) => LEVELS[b.level] - LEVELS[a.level]))
+      if (shown.every(({ x, y }) => Math.abs(x - label.x) > 0.06 || Math.abs(y - label.y) > 0.045))
+        shown.push(label);
+    return shown;
+  }
+
   private worldOf(group: Group, [x, y, z]: Triple): Triple {
     const at = new Vector3(x, y, z).applyMatrix4(group.matrixWorld);
     return [at.x, at.y, at.z];
@@ -565,24 +737,31 @@ export class Picture {
     if (!ship?.visible) return null;
     const from = this.worldOf(
       ship,
-      aboard(info.fairlead_m, this.fairlead(info.ship, info.fairlead_m)),
+      aboard(
+        info.fairlead_m,
+        info.fairlead_above_water_m || this.fairlead(info.ship, info.fairlead_m),
+      ),
     );
     const end = now.bollard === null ? info.end : hello.bollards[now.bollard];
     if (!end) return null;
-    if ("place_m" in end) return [from, toPicture(this.origin, end.place_m, QUAY_M + 0.3)];
+    if ("place_m" in end)
+      return [
+        from,
+        toPicture(this.origin, end.place_m, (end.above_datum_m || QUAY_M + BIGHT_M) - this.water_m),
+      ];
     const on = this.bodies[end.body];
     if (!on) return null;
     const isShip = this.ships.some(({ body }) => body === end.body);
-    const up = isShip
+    const usual = isShip
       ? this.fairlead(end.body, end.at_m)
-      : this.deck(end.body, end.at_m) + STEM_M - 0.15;
-    return [from, this.worldOf(on, aboard(end.at_m, up))];
+      : this.deck(end.body, end.at_m) + BIGHT_M;
+    return [from, this.worldOf(on, aboard(end.at_m, end.above_water_m || usual))];
   }
 
   /** Height of a fairlead above the water: on a tug her staple, else a hand above the deck [m]. */
   private fairlead(body: number, at: Pair): number {
     const ship = this.ships.find((each) => each.body === body);
-    if (!ship) return QUAY_M;
+    if (!ship) return this.deck(body, at) + BIGHT_M;
     const { hull, kind, length_m } = ship.arrangement;
     return hull.deck_m(at[0]) + (kind === "tug" ? 0.05 * length_m : 0.35);
   }
@@ -650,7 +829,8 @@ export class Picture {
     // A mark of which the chart gives no character has no light.
     if (feature.kind !== "light" && !feature.character) return;
     if (!isLit(feature.character ?? "", feature.period_s, t_s)) return;
-    const [x, y, z] = toPicture(this.origin, at, lampHeight(feature));
+    const up = lampHeight(feature) - (floats(feature) ? 0 : this.water_m);
+    const [x, y, z] = toPicture(this.origin, at, up);
     const { x: ex, z: ez } = this.camera.position;
     const bearing = Math.atan2(ex - x, -(ez - z));
     if (!isSeen(feature.sector_rad, bearing)) return;

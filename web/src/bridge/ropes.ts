@@ -9,41 +9,37 @@ import {
   Vector2,
 } from "three";
 import type { Triple } from "./axes";
+import { PIECES } from "./catenary";
 import { SKY_GLSL, type SkyUniforms } from "./sky";
-
-/** Pieces of a line. */
-export const PIECES = 28;
 
 export class Ropes {
   readonly mesh: Mesh;
-  private readonly places: BufferAttribute;
-  private readonly ways: BufferAttribute;
-  private readonly looks: BufferAttribute;
+  private places = new BufferAttribute(new Float32Array(0), 3);
+  private ways = this.places;
+  private looks = this.places;
   private readonly geometry = new BufferGeometry();
   private readonly size = new Vector2(1, 1);
+  private readonly shine = { value: 0 };
+  private most = 0;
   private count = 0;
 
+  /** `mark`: marks shine by themselves; those that are `through` everything hide behind nothing. */
   constructor(
     sky: SkyUniforms & { uLamps: IUniform<number> },
-    private readonly most: number,
+    mark: "through" | "behind" | null = null,
   ) {
-    const corners = most * (PIECES + 1) * 2;
-    this.places = new BufferAttribute(new Float32Array(corners * 3), 3);
-    this.ways = new BufferAttribute(new Float32Array(corners * 4), 4);
-    this.looks = new BufferAttribute(new Float32Array(corners * 4), 4);
-    this.geometry.setAttribute("position", this.places);
-    this.geometry.setAttribute("way", this.ways);
-    this.geometry.setAttribute("look", this.looks);
-    const indices: number[] = [];
-    for (let line = 0; line < most; line++)
-      for (let i = 0; i < PIECES; i++) {
-        const a = (line * (PIECES + 1) + i) * 2;
-        indices.push(a, a + 1, a + 2, a + 1, a + 3, a + 2);
-      }
-    this.geometry.setIndex(indices);
+    const through = mark === "through";
+    this.room(16);
     const material = new ShaderMaterial({
-      uniforms: { ...(sky as unknown as Record<string, IUniform>), uSize: { value: this.size } },
+      uniforms: {
+        ...(sky as unknown as Record<string, IUniform>),
+        uSize: { value: this.size },
+        uShine: this.shine,
+      },
       side: DoubleSide,
+      depthTest: !through,
+      depthWrite: !through,
+      transparent: through,
       vertexShader: /* glsl */ `
         attribute vec4 way; attribute vec4 look;
         uniform vec2 uSize;
@@ -60,14 +56,15 @@ export class Ropes {
         }`,
       fragmentShader: /* glsl */ `
         varying vec3 vLook; varying float vSide; varying vec3 vAt;
-        uniform float uLamps;
+        uniform float uLamps; uniform float uShine;
         ${SKY_GLSL}
         void main() {
           vec3 light = uHorizon * 0.75 + uZenith * 0.5 + uDirect * 0.22 + uLamps * vec3(0.06, 0.05, 0.03);
+          if (uShine > 0.0) light = vec3(uShine);
           vec3 c = vLook * light * (0.55 + 0.45 * sqrt(max(0.0, 1.0 - vSide * vSide)));
           vec3 way = vAt - cameraPosition;
           float away = length(way);
-          c = mix(hazeColour(way / max(away, 0.01)), c, exp(-uHaze * uHaze * away * away));
+          if (uShine <= 0.0) c = mix(hazeColour(way / max(away, 0.01)), c, exp(-uHaze * uHaze * away * away));
           gl_FragColor = vec4(c, 1.0);
           #include <tonemapping_fragment>
           #include <colorspace_fragment>
@@ -75,6 +72,33 @@ export class Ropes {
     });
     this.mesh = new Mesh(this.geometry, material);
     this.mesh.frustumCulled = false;
+    if (through) this.mesh.renderOrder = 20;
+  }
+
+  /** How bright marks are: the same on the screen at every exposure. */
+  bright(exposure: number): void {
+    this.shine.value = 0.85 / exposure;
+  }
+
+  /** Makes room for so many lines. */
+  room(most: number): void {
+    if (most <= this.most) return;
+    this.most = most;
+    const corners = most * (PIECES + 1) * 2;
+    this.places = new BufferAttribute(new Float32Array(corners * 3), 3);
+    this.ways = new BufferAttribute(new Float32Array(corners * 4), 4);
+    this.looks = new BufferAttribute(new Float32Array(corners * 4), 4);
+    this.geometry.dispose();
+    this.geometry.setAttribute("position", this.places);
+    this.geometry.setAttribute("way", this.ways);
+    this.geometry.setAttribute("look", this.looks);
+    const indices: number[] = [];
+    for (let line = 0; line < most; line++)
+      for (let i = 0; i < PIECES; i++) {
+        const a = (line * (PIECES + 1) + i) * 2;
+        indices.push(a, a + 1, a + 2, a + 1, a + 3, a + 2);
+      }
+    this.geometry.setIndex(indices);
   }
 
   pixels(width: number, height: number): void {
@@ -87,7 +111,7 @@ export class Ropes {
 
   /** Adds a line through `PIECES` + 1 places. */
   add(points: Triple[], [r, g, b]: Triple, radius_m: number): void {
-    if (this.count >= this.most) return;
+    if (this.count >= this.most) throw new Error("no room for another line in the picture");
     const first = this.count * (PIECES + 1) * 2;
     points.forEach((at, i) => {
       const [from, to] = [points[Math.max(0, i - 1)] ?? at, points[Math.min(PIECES, i + 1)] ?? at];

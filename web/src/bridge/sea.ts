@@ -6,6 +6,7 @@ import {
   BufferGeometry,
   DataTexture,
   Float32BufferAttribute,
+  FloatType,
   LinearFilter,
   LinearMipmapLinearFilter,
   Mesh,
@@ -17,21 +18,36 @@ import {
   Vector3,
   Vector4,
 } from "three";
-import type { Triple } from "./axes";
+import { type Triple, smooth } from "./axes";
 import { chance } from "./fittings";
 import { SKY_GLSL, type SkyUniforms } from "./sky";
-import { type Component, MOST } from "./waves";
-import type { Pair, WindNow } from "../protocol";
+import { FEW, drawnOf } from "./waves";
+import type { Pair, Wave, WindNow } from "../protocol";
 
 const FAR_M = 60_000;
-const SECTORS = 96;
+/** The disc about the eye: sectors, and how much wider each ring is than the one within it. */
+interface Grid {
+  sectors: number;
+  wider: number;
+}
+export const FINE: Grid = { sectors: 300, wider: 0.025 };
+const COARSE: Grid = { sectors: 112, wider: 0.07 };
 /** Places of ships whose wash and wake the sea draws. */
 const MOST_WAKES = 6;
 
-/** Rings about the eye: 3 m at first, each a ninth wider. */
-function disc(): BufferGeometry {
+/** Harmonics fade out where a ring is wider than so many radians of them. */
+const FADES: Pair = [2, 3];
+/** Width of a ring near the eye, for which harmonics fade [m]. */
+const NEAR_M = 0.8;
+
+/** Share of a harmonic that is drawn at a distance from the eye; the shader has the same. */
+export const shareDrawn = (away_m: number, number_radpm: number, { wider }: Grid): number =>
+  1 - smooth(...FADES, Math.max(NEAR_M, away_m * wider) * number_radpm);
+
+/** Rings about the eye, 2 m at first. */
+function disc({ sectors: SECTORS, wider }: Grid): BufferGeometry {
   const radii = [0];
-  for (let r = 3; r < FAR_M; r *= 1.11) radii.push(r);
+  for (let r = 2; r < FAR_M; r = Math.max(r + 1.5, r * (1 + wider))) radii.push(r);
   radii.push(FAR_M);
   const places: number[] = [];
   const indices: number[] = [];
@@ -104,6 +120,13 @@ export function ripples(anisotropy: number, side = 256): DataTexture {
   return texture;
 }
 
+/** A row of so many harmonics, which the shader reads number by number. */
+function harmonics(count: number): DataTexture {
+  const texture = new DataTexture(new Float32Array(4 * count), count, 1, RGBAFormat, FloatType);
+  texture.needsUpdate = true;
+  return texture;
+}
+
 /** A ship in the water: what she leaves behind. */
 export interface Wake {
   at: Triple;
@@ -119,26 +142,31 @@ export interface Wake {
 export class Sea {
   readonly mesh: Mesh;
   private readonly material: ShaderMaterial;
-  private readonly waves = Array.from({ length: MOST }, () => new Vector4());
-  private readonly frequencies = Array.from({ length: MOST }, () => new Vector2());
+  /** Each harmonic: amplitude, wave number along x and z, and its phase at the time of the drawing. */
+  private waves = harmonics(1);
+  private drawn: { omega: number; phase: number }[] = [];
   private readonly wakes = Array.from({ length: MOST_WAKES }, () => new Vector4());
   private readonly eye = new Vector3();
   private readonly wind = new Vector2();
   private readonly water = new Vector3();
   private readonly shapes = Array.from({ length: MOST_WAKES }, () => new Vector4());
 
-  /** `anisotropy`: how many times ripples that are seen flat are looked up. */
-  constructor(sky: SkyUniforms, anisotropy: number) {
+  /** `cheap`: for a machine that draws on the processor: a coarser disc, the strongest harmonics alone. */
+  constructor(
+    sky: SkyUniforms,
+    private readonly cheap: boolean,
+  ) {
+    const grid = cheap ? COARSE : FINE;
     this.material = new ShaderMaterial({
       uniforms: {
         ...(sky as unknown as Record<string, { value: unknown }>),
         uEye: { value: this.eye },
         uTime: { value: 0 },
         uWind: { value: this.wind },
-        uRipples: { value: ripples(anisotropy) },
+        uRipples: { value: ripples(cheap ? 1 : 8) },
         uWater: { value: this.water },
         uWaves: { value: this.waves },
-        uFrequencies: { value: this.frequencies },
+        uWider: { value: grid.wider },
         uWaveCount: { value: 0 },
         uWakes: { value: this.wakes },
         uShapes: { value: this.shapes },
@@ -147,7 +175,7 @@ export class Sea {
       vertexShader: VERTEX,
       fragmentShader: FRAGMENT,
     });
-    this.mesh = new Mesh(disc(), this.material);
+    this.mesh = new Mesh(disc(grid), this.material);
     this.mesh.frustumCulled = false;
     this.mesh.renderOrder = -5;
   }
@@ -161,18 +189,19 @@ export class Sea {
     this.water.set(r, g, b);
   }
 
-  /** The waves, and the origin of the picture's axes, about which places are computed. */
-  sea(all: Component[], origin: Pair): void {
-    all.slice(0, MOST).forEach((c, i) => {
-      this.waves[i]?.set(
-        c.amplitude_m,
-        c.east_radpm,
-        -c.north_radpm,
-        c.phase_rad + c.north_radpm * origin[0] + c.east_radpm * origin[1],
-      );
-      this.frequencies[i]?.set(c.omega_radps, 0);
-    });
-    this.set("uWaveCount", Math.min(MOST, all.length));
+  /** The run's harmonics, and the origin of the picture's axes, about which places are computed. */
+  sea(all: Wave[], [north_m, east_m]: Pair): void {
+    const drawn = drawnOf(all, this.cheap ? FEW : all.length);
+    this.waves.dispose();
+    this.waves = harmonics(Math.max(1, drawn.length));
+    const values = this.waves.image.data as Float32Array;
+    drawn.forEach(([a, north, east], i) => values.set([a, -east, north, 0], 4 * i));
+    this.drawn = drawn.map(([, north, east, omega, phase]) => ({
+      omega,
+      phase: phase - north * north_m - east * east_m,
+    }));
+    this.set("uWaves", this.waves);
+    this.set("uWaveCount", drawn.length);
   }
 
   wake(all: Wake[]): void {
@@ -192,26 +221,30 @@ export class Sea {
     this.mesh.position.set(eye[0], 0, eye[2]);
     this.eye.set(...eye);
     this.set("uTime", t_s);
+    // In double precision: hours of a run leave single precision no place for a phase.
+    const values = this.waves.image.data as Float32Array;
+    this.drawn.forEach(({ omega, phase }, i) => {
+      values[4 * i + 3] = (omega * t_s + phase) % (2 * Math.PI);
+    });
+    this.waves.needsUpdate = true;
     const to = wind.from_rad + Math.PI;
     this.wind.set(Math.sin(to) * wind.speed_mps, -Math.cos(to) * wind.speed_mps);
   }
 }
 
 const VERTEX = /* glsl */ `
-uniform vec4 uWaves[${MOST}]; uniform vec2 uFrequencies[${MOST}]; uniform int uWaveCount;
-uniform float uTime;
+uniform sampler2D uWaves; uniform int uWaveCount; uniform float uWider;
 varying vec3 vAt; varying vec2 vSlope;
 void main() {
   vec4 at = modelMatrix * vec4(position, 1.0);
   float away = length(position.xz);
   vSlope = vec2(0.0);
-  for (int i = 0; i < ${MOST}; i++) {
-    if (i >= uWaveCount) break;
-    vec4 w = uWaves[i];
-    // A ring must be narrow beside the wave; further off the pattern of ripples shows the sea.
-    float number = length(w.yz);
-    float seen = 1.0 - smoothstep(2.5, 9.0, away * 0.11 * number);
-    float turn = w.y * at.x + w.z * at.z - uFrequencies[i].x * uTime + w.w;
+  for (int i = 0; i < uWaveCount; i++) {
+    vec4 w = texelFetch(uWaves, ivec2(i, 0), 0);
+    // A ring must be narrow beside the wave; farther off the pattern of ripples shows the sea. The longest waves come first.
+    float seen = 1.0 - smoothstep(${FADES[0].toFixed(1)}, ${FADES[1].toFixed(1)}, max(${NEAR_M}, away * uWider) * length(w.yz));
+    if (seen <= 0.0) break;
+    float turn = w.y * at.x + w.z * at.z + w.w;
     at.y += seen * w.x * cos(turn);
     vSlope -= seen * w.x * sin(turn) * w.yz;
   }
@@ -287,12 +320,12 @@ void main() {
   vec3 colour = mix(lit + uWater * 0.6 * max(0.0, slope.x + slope.y), above, clamp(fresnel, 0.0, 1.0));
   // The path of sun or moon: the wider, the rougher the water.
   float spread = 0.0012 + 0.35 * rough + 0.00002 * min(away, 600.0);
-  vec3 half3 = normalize(uFrom - view);
+  vec3 half3 = normalize(uDisc - view);
   float tan2 = (1.0 - half3.y * half3.y) / max(half3.y * half3.y, 1e-4);
   vec3 bent = normalize(normal + vec3(0.0));
   float c = max(dot(bent, half3), 0.0);
   float t2 = (1.0 - c * c) / max(c * c, 1e-4);
-  colour += uDirect * min(2.5, exp(-t2 / spread) / (spread * 900.0)) * step(0.0, uFrom.y) * (0.25 + fresnel * 3.0) * 0.6;
+  colour += uDirect * min(2.5, exp(-t2 / spread) / (spread * 900.0)) * smoothstep(-0.005, 0.02, uDisc.y) * (0.25 + fresnel * 3.0) * 0.6;
   vec3 white = uDirect * (0.1 + 0.16 * max(uFrom.y, 0.0)) + uHorizon * 0.35 + uZenith * 0.3;
   colour = mix(colour, white, clamp(foam, 0.0, 1.0) * 0.8);
   float clear = exp(-uHaze * uHaze * away * away);

@@ -6,6 +6,7 @@ import type { Light } from "./light";
 export interface SkyUniforms {
   uSun: { value: Vector3 };
   uFrom: { value: Vector3 };
+  uDisc: { value: Vector3 };
   uDirect: { value: Vector3 };
   uZenith: { value: Vector3 };
   uHorizon: { value: Vector3 };
@@ -18,6 +19,7 @@ export interface SkyUniforms {
 export const skyUniforms = (): SkyUniforms => ({
   uSun: { value: new Vector3(0, 1, 0) },
   uFrom: { value: new Vector3(0, 1, 0) },
+  uDisc: { value: new Vector3(0, 1, 0) },
   uDirect: { value: new Vector3(1, 1, 1) },
   uZenith: { value: new Vector3() },
   uHorizon: { value: new Vector3() },
@@ -29,6 +31,7 @@ export const skyUniforms = (): SkyUniforms => ({
 export function shine(uniforms: SkyUniforms, light: Light, haze: number): void {
   uniforms.uSun.value.set(...light.sun);
   uniforms.uFrom.value.set(...light.from);
+  uniforms.uDisc.value.set(...light.disc);
   uniforms.uDirect.value.set(...light.direct);
   uniforms.uZenith.value.set(...light.zenith);
   uniforms.uHorizon.value.set(...light.horizon);
@@ -39,7 +42,7 @@ export function shine(uniforms: SkyUniforms, light: Light, haze: number): void {
 
 /** Colour of the sky in a direction, and of haze towards a direction along the horizon. */
 export const SKY_GLSL = /* glsl */ `
-uniform vec3 uSun; uniform vec3 uFrom; uniform vec3 uDirect;
+uniform vec3 uSun; uniform vec3 uFrom; uniform vec3 uDisc; uniform vec3 uDirect;
 uniform vec3 uZenith; uniform vec3 uHorizon; uniform vec3 uGlow;
 uniform float uHaze;
 vec3 skyColour(vec3 d) {
@@ -98,8 +101,8 @@ export function sky(uniforms: SkyUniforms): Mesh {
             c += uStars * (1.0 - cloud) * step(0.992, h) * smoothstep(0.28, 0.0, length(f)) * 0.35 * fract(h * 977.0) * smoothstep(0.02, 0.2, d.y);
           }
         }
-        float disc = dot(d, uFrom);
-        c += uDirect * (smoothstep(0.99996, 0.99999, disc) * 6.0 * step(0.0, uFrom.y));
+        float disc = dot(d, uDisc);
+        c += uDirect * (smoothstep(0.99996, 0.99999, disc) * 6.0 * step(0.0, d.y));
         // Haze as thick as the way through it: a layer of a kilometre.
         float through = uHaze * 1000.0 / max(0.02, d.y + 0.02);
         c = mix(hazeColour(d), c, clamp(exp(-through * through * 0.4), 0.0, 1.0));

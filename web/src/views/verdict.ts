@@ -3,7 +3,7 @@
  * of the terminal and the report.
  */
 import type { Frame, Gravity, VerdictNow } from "../protocol";
-import { h, setClass, setText } from "../ui/dom";
+import { button, h, setClass, setText } from "../ui/dom";
 import { clock } from "../units";
 import type { View } from "./view";
 
@@ -27,18 +27,24 @@ export class Verdict implements View {
   private readonly when = h("p", { class: "note" });
   private readonly list = h("ul", { class: "rows", "aria-label": "Findings" });
   private shown = "";
-  readonly root = h(
-    "div",
-    { class: "verdict-view" },
-    this.words,
-    this.when,
-    this.list,
-    h(
-      "p",
-      { class: "note" },
-      "The verdict is the worst finding of the run since its start. Go back on the timeline to see when it came.",
-    ),
-  );
+  readonly root: HTMLElement;
+
+  /** `largest`: goes to the moment of the largest fender load and saves a picture of that fender; `null` where nobody can. */
+  constructor(largest: (() => void) | null = null) {
+    this.root = h(
+      "div",
+      { class: "verdict-view" },
+      this.words,
+      this.when,
+      this.list,
+      h(
+        "p",
+        { class: "note" },
+        "The verdict is the worst finding of the run since its start. Go back on the timeline to see when it came.",
+      ),
+      largest && button("Picture of the largest fender load", largest),
+    );
+  }
 
   tick(frame: Frame): void {
     const { verdict } = frame;

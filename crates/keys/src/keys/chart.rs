@@ -101,7 +101,7 @@ table_keys! {
     }
 }
 
-static PLACE: TableSpec = TableSpec {
+pub(super) static PLACE: TableSpec = TableSpec {
     what: "a place on the earth",
     doc: "A place on the WGS 84 ellipsoid.",
     keys: ChartOriginKey::ALL,

@@ -5,6 +5,7 @@ use fenderline_sim::hydro::Squat;
 use serde_json::json;
 
 use super::bottom::{BOTTOM, BottomKey};
+use super::chart::{ChartOriginKey, PLACE};
 use super::long_waves::{LONG_WAVES, LongWavesKey};
 use super::passing::{INTERACTION, InteractionKey};
 use super::quantities::{DIRECTION, POSITION, SEED};
@@ -22,6 +23,7 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
     rules: Some(|| {
         json!({
             "not": { "required": ["depth", "bottom"] },
+            "dependentRequired": { "place": ["start_time"] },
             "dependentSchemas": {
                 "squat": { "anyOf": [{ "required": ["depth"] }, { "required": ["bottom"] }] }
             },
@@ -126,6 +128,21 @@ table_keys! {
             "How far people see in a live session: the pages of pilot and tugmasters do not show ships that are farther \
              away.",
             &["\"500 m\""],
+        ),
+        START_TIME: Text = key(
+            "start_time",
+            Kind::Text,
+            Means("the palette of the page says whether it is day, dusk or night"),
+            "Date and time at the start of the run, with the offset from universal time: the view out of the window of live \
+             pages has the sun of this time. No force depends on the time.",
+            &["\"2026-06-21T05:30+02:00\""],
+        ),
+        PLACE: TableOf<ChartOriginKey> = key(
+            "place",
+            Kind::Table(&PLACE),
+            Means("the origin of the chart; without such an origin `start_time` needs the place"),
+            "Latitude and longitude of the scenario's origin, for the sun at `start_time`.",
+            &["{ latitude = \"53.52 deg\", longitude = \"9.94 deg\" }"],
         ),
         BANK: ListOf<BankKey> = key(
             "bank",

@@ -1,5 +1,6 @@
 //! Keys of vessels.
 
+use fenderline_sim::ShipType;
 use serde_json::json;
 
 use super::azimuth::{AZIMUTH, AzimuthKey};
@@ -10,7 +11,8 @@ use super::environment::{HYDRODYNAMICS_DOC, WAVE_RESPONSE_DOC};
 use super::quantities::{FORCE, LENGTH, PLACE};
 use super::windage::{WINDAGE, WindageKey};
 
-use crate::held::{NamedOf, Number, TableOf, Text};
+use crate::choices::{Choice, Choices};
+use crate::held::{NamedOf, Number, OneOf, TableOf, Text, Vector};
 use crate::spec::Absent::{Is, Means, Refused};
 use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::table_keys;
@@ -184,6 +186,77 @@ table_keys! {
             Means("the data of the vessel `from`; without such data the vessel does not heave, roll or pitch"),
             "Data for heave, roll and pitch.",
             &[],
+        ),
+        KIND: OneOf<ShipType> = key(
+            "kind",
+            Kind::Choice(&SHIP_TYPES),
+            Means("the type that the title says, or else a bulk carrier"),
+            "Type of ship, by which the view out of the window of live pages draws her deck, house and \
+             cargo. No force depends on the type.",
+            &["\"container\""],
+        ),
+        CONNING: TableOf<ConningKey> = key(
+            "conning",
+            Kind::Table(&CONNING),
+            Means("the usual place for her type"),
+            "Place of the eye on the bridge, for the view out of the window of live pages.",
+            &["{ at = [-60, 0], eye_height = \"28 m\" }"],
+        ),
+    }
+}
+
+static SHIP_TYPES: Choices<ShipType> = Choices(&[
+    Choice {
+        word: ShipType::Bulk.word(),
+        value: ShipType::Bulk,
+        doc: "bulk carrier or general cargo ship, with hatch covers",
+    },
+    Choice {
+        word: ShipType::Tanker.word(),
+        value: ShipType::Tanker,
+        doc: "tanker or gas carrier, with pipes on deck",
+    },
+    Choice {
+        word: ShipType::Container.word(),
+        value: ShipType::Container,
+        doc: "container ship, with containers on deck",
+    },
+    Choice {
+        word: ShipType::RoRo.word(),
+        value: ShipType::RoRo,
+        doc: "ferry or car carrier, with high sides and the bridge forward",
+    },
+    Choice {
+        word: ShipType::Passenger.word(),
+        value: ShipType::Passenger,
+        doc: "passenger ship, with decks along her whole length",
+    },
+    Choice { word: ShipType::Tug.word(), value: ShipType::Tug, doc: "tug" },
+]);
+
+static CONNING: TableSpec = TableSpec {
+    what: "a conning position",
+    doc: "Place from which a ship is conned, for the view out of the window.",
+    keys: ConningKey::ALL,
+    rules: None,
+};
+
+table_keys! {
+    /// Keys of a conning position.
+    pub ConningKey {
+        AT: Vector = key(
+            "at",
+            Kind::Vector(PLACE),
+            Refused,
+            "Place forward and to starboard of midship.",
+            &["[-60, 0]"],
+        ),
+        EYE_HEIGHT: Number = key(
+            "eye_height",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1.0, high: 100.0 }),
+            Refused,
+            "Height of the eye above the still water.",
+            &["\"28 m\""],
         ),
     }
 }

@@ -103,6 +103,7 @@ pub(crate) fn frame(now: &Now, cast: &Cast, info: &Info, at_ms: u64, run: RunSta
         wind: wind_now(simulation, t_s),
         current: current_now(simulation, t_s, place),
         waves: waves_now(simulation),
+        water_level_m: simulation.setup().world.environment.level_m(t_s),
         visibility_m: simulation.setup().world.environment.visibility_m,
         approach_mps: now.approach.at_fenders_mps,
         alarms: now.alarms.messages(),

@@ -27,7 +27,7 @@ pub(super) fn now(all: &Now, index: usize, at: Option<&Berth>) -> VesselNow {
         });
     let thrusters = vessel.thrusters.iter().zip(&vessel.orders.thrusters);
     let shaft = if of.shaft.stop > 0.0 { vessel.shaft.value / of.shaft.stop } else { 0.0 };
-    let [_, _, _, roll, pitch, _] = vessel.wave_motion.motion;
+    let [_, _, heave, roll, pitch, _] = vessel.wave_motion.motion;
     VesselNow {
         rudder: RudderNow { order_rad: vessel.orders.rudder_rad, now_rad: vessel.rudder.value },
         shaft: ShareNow { order: vessel.orders.shaft, now: shaft },
@@ -42,6 +42,7 @@ pub(super) fn now(all: &Now, index: usize, at: Option<&Berth>) -> VesselNow {
         stern_mps: speeds.stern_mps,
         heel_rad: vessel.attitude.roll.value + roll,
         trim_rad: vessel.attitude.pitch.value + pitch,
+        heave_m: vessel.attitude.heave.value + heave,
         squat_m: vessel.squat_m,
         under_keel_m: vessel.under_keel_m,
         aground: vessel.aground,

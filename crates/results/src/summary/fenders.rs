@@ -31,7 +31,7 @@ fn fender_json(fender: &FenderSetup, body: &str, summary: &FenderSummary) -> Jso
         let chains: Json = chains.map(|(setup, chain)| chain_json(setup, chain)).collect();
         object.put("chains", chains);
     }
-    if let Some(FenderSource { designation, source, standing }) = &fender.source {
+    if let Some(FenderSource { designation, source, standing, .. }) = &fender.source {
         object.put("designation", designation);
         object.put("source", source);
         object.put("standing", standing);

@@ -96,6 +96,7 @@ impl Assembly<'_, '_> {
             squat: self.squat(table)?,
             banks: self.banks(table)?,
             visibility_m: table.item(EnvironmentKey::VISIBILITY).map(|item| *item.number()),
+            daylight: self.daylight(table, charted)?,
             water_density_kgpm3: *table.given(EnvironmentKey::WATER_DENSITY).number(),
             air_density_kgpm3: *table.given(EnvironmentKey::AIR_DENSITY).number(),
         };

@@ -99,6 +99,7 @@ impl Assembly<'_, '_> {
                 energy_by_angle: Vec::new(),
                 hull_pressure: HullPressure::OverFace,
                 source: Some(FenderSource {
+                    family: None,
                     designation: "given in the scenario".to_owned(),
                     source: assumed(table, false, "the scenario".to_owned()),
                     standing: "given".to_owned(),
@@ -265,6 +266,7 @@ impl Assembly<'_, '_> {
             energy_by_angle,
             hull_pressure: hull_pressure(fender),
             source: Some(FenderSource {
+                family: Some(fender.family.clone()),
                 designation: format!("{pieces}{} {}", fender.family, fender.designation),
                 source: assumed(table, fender.unloading.is_some(), fender.source.clone()),
                 standing: match (given_by_user, fender.standing) {

@@ -8,7 +8,7 @@ use fenderline_contact::{BodyState, Vec2, vec2};
 use fenderline_sim::environment::waves::{DriftHull, MotionResponse};
 use fenderline_sim::hydro::actuator::RateLimited;
 use fenderline_sim::hydro::{AddedMass, Mmg, Ratio};
-use fenderline_sim::{BodySetup, Environment, Float, MassProperties, VesselSetup};
+use fenderline_sim::{BodySetup, Conning, Environment, Float, Looks, MassProperties, VesselSetup};
 
 use super::assembly::{Assembly, Checked};
 use super::response::estimate;
@@ -19,7 +19,7 @@ use fenderline_keys::held::{Number, Text};
 use fenderline_keys::keys::ScenarioKey;
 use fenderline_keys::keys::body::BodyKey;
 use fenderline_keys::keys::mooring::LineKey;
-use fenderline_keys::keys::vessel::VesselKey;
+use fenderline_keys::keys::vessel::{ConningKey, VesselKey};
 use fenderline_keys::sources::{Span, quoted};
 use fenderline_keys::typed_key::Key;
 
@@ -119,6 +119,7 @@ impl Kind {
             drift: Some(drift),
             seakeeping: None,
             plan: None,
+            looks: Looks::default(),
         };
         let mass = mass_of(&ship, water);
         Ok(Kind { setup, place, mass, low_water_mass, data })
@@ -160,6 +161,17 @@ fn mass_of(ship: &Mmg, water: f64) -> MassProperties {
         added_surge_kg: water * ship.added_mass.surge_m3,
         added_sway_kg: water * ship.added_mass.sway_m3,
         added_yaw_kgm2: water * ship.added_mass.yaw_m5,
+    }
+}
+
+/// How the pages' view shows a vessel.
+fn looks(table: Of<'_, VesselKey>) -> Looks {
+    Looks {
+        ship_type: table.item(VesselKey::KIND).map(|item| item.choice()),
+        conning: table.item(VesselKey::CONNING).map(|item| Conning {
+            at_m: *item.table().given(ConningKey::AT).vector(),
+            eye_above_water_m: *item.table().given(ConningKey::EYE_HEIGHT).number(),
+        }),
     }
 }
 
@@ -221,6 +233,7 @@ impl Assembly<'_, '_> {
             let particulars = kind.setup.ship.particulars;
             let own_wind = self.own_wind(table, &particulars, kind.setup.windage.as_ref())?;
             kind.setup.windage = own_wind.or(kind.setup.windage);
+            kind.setup.looks = looks(table);
             kind.setup.current_table = self.own_current(table, &particulars, environment)?;
             if let Some(table) = self.rao_table(table)? {
                 kind.setup.response = Some(MotionResponse::Table(table));

@@ -166,6 +166,8 @@ impl Engine {
             gallery: self.gallery.entries(),
             berth: self.session.info().berth.as_ref().map(berth_info),
             depth_m: self.session.info().depth_m,
+            sea: &self.session.info().sea,
+            daylight: self.session.info().daylight,
             chart: &self.session.info().chart,
             exercise: self.session.exercise_info(),
             links: links.as_deref(),

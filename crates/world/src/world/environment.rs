@@ -17,6 +17,8 @@ use fenderline_ship::hydro::{self, Squat};
 use fenderline_ship::range::within;
 use fenderline_ship::step_time::StepTime;
 
+use crate::looks::Daylight;
+
 /// A place at which no depth is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoDepth {
@@ -165,6 +167,9 @@ pub struct Environment {
     /// Visibility (m), for the pages of live sessions; `None` for clear weather. The visibility has no effect on
     /// forces.
     pub visibility_m: Option<f64>,
+    /// Where and when the run begins, for the sun in the pages' view; `None`: the view takes the sun from the page's
+    /// palette. No force depends on the daylight.
+    pub daylight: Option<Daylight>,
 }
 
 impl Default for Environment {
@@ -183,6 +188,7 @@ impl Default for Environment {
             squat: Some(Squat::default()),
             banks: Vec::new(),
             visibility_m: None,
+            daylight: None,
         }
     }
 }

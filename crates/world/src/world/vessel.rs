@@ -13,6 +13,7 @@ use super::inputs::{Moving, StepTimes, Surroundings};
 use super::pilots::Pilots;
 use super::seaway_state::SeawayState;
 use super::soundings::Soundings;
+use crate::looks::Looks;
 use fenderline_seakeeping::Seakeeping;
 use fenderline_ship::attitude::{Attitude, AttitudeLoad, Hydrostatics, Motion};
 use fenderline_ship::environment::current::Current;
@@ -73,6 +74,8 @@ pub struct VesselSetup {
     pub seakeeping: Option<Seakeeping>,
     /// Her passage plan. The plan moves nothing: results and pages compare her way with the plan.
     pub plan: Option<PassagePlan>,
+    /// How the pages' view shows the vessel. No force depends on the looks.
+    pub looks: Looks,
 }
 
 /// Data for heave, roll and pitch.

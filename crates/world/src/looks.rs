@@ -1,0 +1,75 @@
+//! What the pages' view out of the window needs and no force depends on: the type of a ship, the place of her bridge, and
+//! where and when the run is, for the sun.
+
+use fenderline_contact::Vec2;
+
+use crate::chart::GeographicPlace;
+
+/// The type of a ship, by which the view draws deck, house and cargo.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ShipType {
+    /// A ship with hatch covers: a bulk carrier or a general cargo ship.
+    Bulk,
+    /// A tanker or gas carrier.
+    Tanker,
+    /// A container ship.
+    Container,
+    /// A ferry or car carrier.
+    RoRo,
+    /// A passenger ship.
+    Passenger,
+    /// A tug.
+    Tug,
+}
+
+impl ShipType {
+    /// Every type.
+    pub const ALL: [ShipType; 6] = [
+        ShipType::Bulk,
+        ShipType::Tanker,
+        ShipType::Container,
+        ShipType::RoRo,
+        ShipType::Passenger,
+        ShipType::Tug,
+    ];
+
+    /// The word of the type in scenarios and messages.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            ShipType::Bulk => "bulk",
+            ShipType::Tanker => "tanker",
+            ShipType::Container => "container",
+            ShipType::RoRo => "ro-ro",
+            ShipType::Passenger => "passenger",
+            ShipType::Tug => "tug",
+        }
+    }
+}
+
+/// The place from which a ship is conned.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Conning {
+    /// Place forward and to starboard of midship (m).
+    pub at_m: Vec2,
+    /// Height of the eye above the still water (m).
+    pub eye_above_water_m: f64,
+}
+
+/// How the view shows a ship. No force depends on the looks.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Looks {
+    /// The type of the ship; `None`: the view takes the type from the words of the ship's title.
+    pub ship_type: Option<ShipType>,
+    /// The place from which the ship is conned; `None`: the view takes a usual place for the type.
+    pub conning: Option<Conning>,
+}
+
+/// Where and when a run begins, for the place of the sun.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Daylight {
+    /// Time at the start of the run: seconds since the start of 1970, universal time.
+    pub start_unix_s: f64,
+    /// Place of the scenario's origin on the earth.
+    pub place: GeographicPlace,
+}

@@ -1,0 +1,95 @@
+/** Marks in the view out of the window: their numbers are those of the frame. */
+import { describe, expect, test } from "vitest";
+import {
+  MOST_GHOSTS,
+  arrow,
+  colourOf,
+  figures,
+  pathStrokes,
+  resampled,
+} from "../src/bridge/in_picture";
+import { PIECES } from "../src/bridge/catenary";
+import { History } from "../src/history";
+import type { Frame, Hello, Pair, PathPoint } from "../src/protocol";
+
+const DEG = Math.PI / 180;
+
+test("an arrow points where the force points, its tip where the force acts", () => {
+  const [shaft, head] = arrow([10, 2, -5], [0, -1e6], 0xffffff);
+  if (!shaft || !head) throw new Error("shaft and head");
+  expect(shaft.points.at(-1)).toEqual([10, 2, -5]);
+  const [x, y, z] = shaft.points[0] ?? [0, 0, 0];
+  // To the north is −z: the tail of a meganewton is 14 m south.
+  expect([x, y]).toEqual([10, 2]);
+  expect(z).toBeCloseTo(-5 + 14, 9);
+  expect(head.points[PIECES / 2]).toEqual([10, 2, -5]);
+  expect(arrow([0, 0, 0], [0, 0], 0)).toEqual([]);
+});
+
+test("loads below, near and over their limit have different colours", () => {
+  expect(new Set([0.1, 0.5, 0.9, 1].map(colourOf)).size).toBe(4);
+  expect(colourOf(7)).toBe(colourOf(1));
+});
+
+test("a predicted path lies on the water with the ship's outline each minute", () => {
+  const path: PathPoint[] = Array.from({ length: 37 }, (_, i) => [100 + 10 * i, 5 * i, 0, 0]);
+  const outline: Pair[] = [
+    [-10, -3],
+    [10, -3],
+    [10, 3],
+    [-10, 3],
+  ];
+  const strokes = pathStrokes({ vessel: 0, path }, outline, ([n, e]) => [e, 0.4, -n]);
+  // Six minutes: the path and six outlines.
+  expect(strokes.length).toBe(7);
+  for (const { points } of strokes) expect(points.length).toBe(PIECES + 1);
+  expect(strokes[0]?.points.at(-1)).toEqual([0, 0.4, -180]);
+  const bow = Math.min(...(strokes[1]?.points ?? []).map(([, , z]) => z));
+  expect(bow).toBeCloseTo(-(30 + 10), 9);
+  const long: PathPoint[] = Array.from({ length: 400 }, (_, i) => [60 * i, i, 0, 0]);
+  expect(
+    pathStrokes({ vessel: 0, path: long }, outline, () => [0, 0, 0]).length,
+  ).toBeLessThanOrEqual(MOST_GHOSTS);
+  expect(pathStrokes({ vessel: 0, path: [] }, outline, () => [0, 0, 0])).toEqual([]);
+  expect(resampled([])).toEqual([]);
+});
+
+describe("figures", () => {
+  const hello = { vessels: [{ body: 0 }] } as unknown as Hello;
+  const frame = (berth: object | null, turn = 0.001): Frame =>
+    ({
+      bodies: [[0, 0, 20 * DEG, 0, 0, turn]],
+      vessels: [{ ground_mps: [1, -0.2], berth }],
+    }) as unknown as Frame;
+
+  test("have heading, rate of turn and speeds, and at a berth distances and closing speeds", () => {
+    expect(figures(frame(null), hello, 0)).toEqual([
+      "020.0°, starboard 3.4°/min; 1.9 kn ahead, 0.4 kn to port",
+    ]);
+    const berth = { bow_m: 34.2, stern_m: -0.4, bow_mps: 0.12, stern_mps: -0.034 };
+    expect(figures(frame(berth, 0), hello, 0)).toEqual([
+      "020.0°, steady; 1.9 kn ahead, 0.4 kn to port",
+      "Bow 34.2 m off, 0.12 m/s closing; stern 0 m off, 0.03 m/s opening",
+    ]);
+  });
+
+  test("are none of a vessel that fog hides", () => {
+    const hidden = { bodies: [null], vessels: [{}] } as unknown as Frame;
+    expect(figures(hidden, hello, 0)).toEqual([]);
+    expect(figures(frame(null), hello, 3)).toEqual([]);
+  });
+});
+
+test("the moment of the largest fender load is that of the charts", () => {
+  const history = new History();
+  expect(history.largest_s()).toBeNull();
+  const sample = (t_s: number, of_energy: number, of_reaction: number, contact_mn: number) =>
+    ({ t_s, of_energy, of_reaction, contact_mn }) as unknown as History["samples"][number];
+  history.samples = [sample(0, 0, 0, 0)];
+  expect(history.largest_s()).toBeNull();
+  history.samples.push(sample(10, 20, 55, 1), sample(20, 61, 40, 2), sample(30, 10, 10, 9));
+  expect(history.largest_s()).toBe(20);
+  // Fenders without rating: the forces alone.
+  history.samples = [sample(0, 0, 0, 0.2), sample(5, 0, 0, 0.9), sample(9, 0, 0, 0.1)];
+  expect(history.largest_s()).toBe(5);
+});
