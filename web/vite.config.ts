@@ -9,7 +9,14 @@ export default defineConfig({
   server: { host: "127.0.0.1", proxy: { "/live": { target: "ws://127.0.0.1:8090", ws: true } } },
   test: {
     projects: [
-      { test: { name: "unit", include: ["test/**/*.test.ts"] } },
+      {
+        test: {
+          name: "unit",
+          // Nothing is decided by times: other programs may keep the processors busy.
+          testTimeout: 60_000,
+          include: ["test/**/*.test.ts"],
+        },
+      },
       {
         test: {
           name: "e2e",
