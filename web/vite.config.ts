@@ -20,6 +20,7 @@ export default defineConfig({
       {
         test: {
           name: "e2e",
+          expect: { poll: { timeout: 20_000 } },
           include: ["e2e/**/*.e2e.ts"],
           exclude: ["e2e/speed.e2e.ts", "e2e/inbound.e2e.ts", "e2e/pictures.e2e.ts"],
           testTimeout: 450_000,
@@ -41,6 +42,7 @@ export default defineConfig({
         // A whole passage takes seven minutes: it runs before a release.
         test: {
           name: "passage",
+          expect: { poll: { timeout: 20_000 } },
           include: ["e2e/inbound.e2e.ts"],
           testTimeout: 600_000,
           hookTimeout: 60_000,
@@ -51,6 +53,7 @@ export default defineConfig({
         // Pictures for the book: made and looked at by a person.
         test: {
           name: "pictures",
+          expect: { poll: { timeout: 20_000 } },
           include: ["e2e/pictures.e2e.ts"],
           testTimeout: 900_000,
           sequence: { groupOrder: 4 },
@@ -59,6 +62,7 @@ export default defineConfig({
       {
         test: {
           name: "page",
+          expect: { poll: { timeout: 20_000 } },
           include: ["e2e-page/**/*.e2e.ts"],
           testTimeout: 180_000,
           hookTimeout: 60_000,
