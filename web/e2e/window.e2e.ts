@@ -229,7 +229,7 @@ test("an address opens one of several windows that make a panorama", async () =>
   expect(errors.filter((text) => !/context lost/i.test(text))).toEqual([]);
 });
 
-outsideCi("marks are in the picture on request: figures, path, forces and loads", async () => {
+test("marks are in the picture on request: figures, path, forces and loads", async () => {
   const { context, close } = await browse(SIZE, false, SOFTWARE_WEBGL);
   const page = await open(context, served, "pilot", errors);
   await look(page);
