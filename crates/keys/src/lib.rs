@@ -17,6 +17,7 @@
 #![forbid(unsafe_code)]
 
 pub mod bounded_file;
+pub mod calendar;
 pub mod checked;
 pub mod choices;
 pub mod csv;

@@ -286,8 +286,7 @@ fn no_touch(
             };
             (first, why)
         }
-        Some((row, _)) if found.is_alongside_at_start => {
-            let _ = row;
+        Some(_) if found.is_alongside_at_start => {
             (first, "no approach: the ship lies at the fenders in the first rows".to_owned())
         }
         Some((row, gap_m)) => {

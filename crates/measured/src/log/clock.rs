@@ -1,5 +1,7 @@
 //! Times of logs.
 
+use fenderline_keys::calendar::{days_from_1970, is_date, zone_s};
+
 use crate::mapping::Mapping;
 
 /// A time as a log gives it.
@@ -49,7 +51,7 @@ impl Clock {
             self.is_zone_assumed = true;
             self.zone_s
         });
-        Some(Moment::Dated(days(year, month, day) as f64 * 86_400.0 + of_day_s - zone_s))
+        Some(Moment::Dated(days_from_1970(year, month, day) as f64 * 86_400.0 + of_day_s - zone_s))
     }
 
     fn date(&self, text: &str) -> Option<[i64; 3]> {
@@ -64,9 +66,7 @@ impl Clock {
             },
         };
         let date = [if date[0] < 100 { date[0] + 2000 } else { date[0] }, date[1], date[2]];
-        let is_good =
-            (1..=12).contains(&date[1]) && (1..=days_of(date[0], date[1])).contains(&date[2]);
-        is_good.then_some(date)
+        is_date(date[0], date[1], date[2]).then_some(date)
     }
 }
 
@@ -82,7 +82,7 @@ fn zoned(text: &str) -> (&str, Option<f64>) {
     let after_time = text.find(':').unwrap_or(text.len());
     let Some(at) = text[after_time..].find(['+', '-']) else { return (text, None) };
     let (time, zone) = text.split_at(after_time + at);
-    match crate::mapping::zone_s(zone) {
+    match zone_s(zone) {
         Some(zone_s) => (time.trim_end(), Some(zone_s)),
         None => (text, None),
     }
@@ -130,24 +130,6 @@ fn seconds_of_day(text: &str) -> Option<f64> {
     is_good.then_some(3600.0 * hours + 60.0 * minutes + seconds)
 }
 
-fn days_of(year: i64, month: i64) -> i64 {
-    match month {
-        4 | 6 | 9 | 11 => 30,
-        2 if (year % 4 == 0 && year % 100 != 0) || year % 400 == 0 => 29,
-        2 => 28,
-        _ => 31,
-    }
-}
-
-/// Number of days from 1970-01-01 to a date, in the Gregorian calendar (Hinnant's algorithm).
-pub(super) fn days(year: i64, month: i64, day: i64) -> i64 {
-    let year = if month <= 2 { year - 1 } else { year };
-    let era = year.div_euclid(400);
-    let of_era = year.rem_euclid(400);
-    let of_year = (153 * ((month + 9) % 12) + 2) / 5 + day - 1;
-    era * 146_097 + of_era * 365 + of_era / 4 - of_era / 100 + of_year - 719_468
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -189,10 +171,5 @@ mod tests {
         assert_eq!(of(&["02/03/2025 10:00"]), None);
         let mut clock = Clock { day_first: Some(false), ..Clock::default() };
         assert_eq!(clock.read("01/31/2025 23:00:05Z"), Some(Moment::Dated(1_738_364_405.0)));
-    }
-
-    #[test]
-    fn days_are_counted_in_the_calendar() {
-        assert_eq!((days(1970, 1, 1), days(2000, 3, 1), days(2024, 2, 29)), (0, 11_017, 19_782));
     }
 }

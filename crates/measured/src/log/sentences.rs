@@ -2,12 +2,13 @@
 
 use std::collections::BTreeMap;
 
+use fenderline_keys::calendar::days_from_1970;
 use fenderline_nautical::read::{
     AisReader, ClockTime, Fix, Reading, Report, SentenceFault, Static, Told, body_of, reading,
 };
 use fenderline_nautical::{ChartOrigin, GeoPoint};
 
-use super::clock::{Clock, Moment, days};
+use super::clock::{Clock, Moment};
 use super::row::{Log, LogKind, LogRow};
 use super::table::NO_ORIGIN;
 use crate::mapping::Mapping;
@@ -154,8 +155,9 @@ fn nmea(text: &str, file: &str, origin: &ChartOrigin, faults: &mut Faults) -> Ve
                     continue;
                 };
                 is_heading_first.get_or_insert(false);
-                let mut t_s =
-                    days(year.into(), month.into(), day.into()) as f64 * 86_400.0 + seconds;
+                let mut t_s = days_from_1970(year.into(), month.into(), day.into()) as f64
+                    * 86_400.0
+                    + seconds;
                 // The date comes with RMC; GGA alone may already be past midnight.
                 if own.is_none() && seconds < last_of_day_s - 43_200.0 {
                     t_s += 86_400.0;

@@ -1,13 +1,11 @@
 //! The mapping file: what the columns of a log mean, where sensors and antennas stand, and which ship is which.
 
 pub(crate) mod keys;
-mod zone;
-
-pub(crate) use self::zone::zone_s;
 
 use std::collections::BTreeMap;
 
 use fenderline_contact::{Vec2, vec2};
+use fenderline_keys::calendar::zone_s;
 use fenderline_keys::checked::{Entry, Of};
 use fenderline_keys::error::ScenarioError;
 use fenderline_keys::held::Text;

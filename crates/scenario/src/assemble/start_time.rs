@@ -5,6 +5,7 @@ use fenderline_sim::chart::GeographicPlace;
 
 use super::assembly::{Assembly, Checked};
 use super::bottom::Charted;
+use fenderline_keys::calendar::{days_from_1970, is_date, zone_s};
 use fenderline_keys::checked::{Entry, Of};
 use fenderline_keys::keys::chart::ChartOriginKey;
 use fenderline_keys::keys::environment::EnvironmentKey;
@@ -58,19 +59,10 @@ fn unix_s(text: &str) -> Result<f64, String> {
     };
     let (date, rest) = text.split_once('T').ok_or_else(form)?;
     let [year, month, day] = numbers(date, '-', [4, 2, 2]).ok_or_else(form)?;
-    let (time, offset_min) = match rest.strip_suffix('Z') {
-        Some(time) => (time, 0),
-        None => {
-            let sign = rest.rfind(['+', '-']).ok_or_else(form)?;
-            let (time, offset) = rest.split_at(sign);
-            let [hours, minutes] = numbers(&offset[1..], ':', [2, 2]).ok_or_else(form)?;
-            if hours > 14 || minutes > 59 {
-                return Err(format!("the offset {offset} is more than 14 hours"));
-            }
-            let offset_min = 60 * hours + minutes;
-            (time, if offset.starts_with('-') { -offset_min } else { offset_min })
-        }
-    };
+    let offset = rest.find(['Z', '+', '-']).ok_or_else(form)?;
+    let (time, offset) = rest.split_at(offset);
+    let offset_s = zone_s(offset)
+        .ok_or_else(|| format!("{offset} is not an offset from universal time, such as +02:00"))?;
     let [hour, minute, second] = match numbers(time, ':', [2, 2, 2]) {
         Some(time) => time,
         None => {
@@ -81,15 +73,14 @@ fn unix_s(text: &str) -> Result<f64, String> {
     if !YEARS.contains(&year) {
         return Err(format!("the year must be from {} to {}", YEARS.start(), YEARS.end()));
     }
-    let days = days_before(year, month + 1) - days_before(year, month);
-    if !(1..=12).contains(&month) || !(1..=days).contains(&day) {
+    if !is_date(year, month, day) {
         return Err(format!("there is no day {date}"));
     }
     if hour > 23 || minute > 59 || second > 59 {
         return Err(format!("there is no time of day {time}"));
     }
-    let minutes = (days_before(year, month) + day - 1) * 24 * 60 + hour * 60 + minute - offset_min;
-    Ok((60 * minutes + second) as f64)
+    let minutes = days_from_1970(year, month, day) * 24 * 60 + hour * 60 + minute;
+    Ok((60 * minutes + second) as f64 - offset_s)
 }
 
 /// The numbers of a text with a sign between them, each with so many digits; `None` if the text is of another form.
@@ -104,14 +95,6 @@ fn numbers<const N: usize>(text: &str, between: char, digits: [usize; N]) -> Opt
         *number = part.parse().ok()?;
     }
     parts.next().is_none().then_some(all)
-}
-
-/// Days from the start of 1970 to the first day of a month (1 to 13) of the Gregorian calendar.
-fn days_before(year: i64, month: i64) -> i64 {
-    // Counted from March on, a leap day is the last day of a year.
-    let (year, month) = if month > 2 { (year, month - 3) } else { (year - 1, month + 9) };
-    let of_years = 365 * year + year.div_euclid(4) - year.div_euclid(100) + year.div_euclid(400);
-    of_years + (153 * month + 2) / 5 - 719_468
 }
 
 #[cfg(test)]
