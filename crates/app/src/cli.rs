@@ -606,7 +606,7 @@ pub(crate) struct BerthingsArgs {
     /// Logs: tables of docking systems or of tracks, NMEA 0183 or AIS sentences
     #[arg(value_name = "LOG", value_parser = input_file(), required = true)]
     pub(crate) logs: Vec<PathBuf>,
-    /// Scenario of the berth, with its fenders, its ship and a [berthing]
+    /// Scenario of the berth, with its fenders, its ship and a table `[berthing]`
     #[arg(long, value_name = "BERTH.toml", value_parser = input_file())]
     pub(crate) berth: PathBuf,
     /// What the columns mean, where sensors and antenna stand, and which ship is which; `fenderline schema mapping`
