@@ -50,8 +50,7 @@ pub(crate) struct Truth {
     pub(crate) t_s: f64,
     pub(crate) speed_mps: f64,
     pub(crate) angle_rad: f64,
-    /// Place of the contact along the quay, and forward of the centre of gravity (m).
-    pub(crate) along_m: f64,
+    /// Place of the contact forward of the centre of gravity (m).
     pub(crate) forward_m: f64,
     pub(crate) fender: usize,
     pub(crate) energy_j: f64,
@@ -142,14 +141,12 @@ pub(crate) fn run(motion: &Motion) -> Approach {
         .expect("a fender");
     let outcome = simulation.berthing().expect("a berthing").expect("in range");
     let lie = berth.axes.lie(state.position_m, state.heading_rad);
-    let at = berth.axes.in_axes(state.position_m + arm_m);
     let ahead = Rotation::from_angle(state.heading_rad).apply_inverse(arm_m);
     Approach {
         truth: Truth {
             t_s: index as f64 * 0.1 / FINER as f64,
             speed_mps: first.approach_speed_mps,
             angle_rad: lie.angle_rad,
-            along_m: at[0],
             forward_m: ahead.x,
             fender: first.fender,
             energy_j: outcome.fender_energy_j,
