@@ -39,11 +39,13 @@ export default defineConfig({
         },
       },
       {
-        // A whole passage takes seven minutes: it runs before a release.
+        // A whole passage takes seven minutes, a berthing by the view five: they run before a release.
         test: {
           name: "passage",
+          env: { BY_VIEW: "1" },
           expect: { poll: { timeout: 20_000 } },
-          include: ["e2e/inbound.e2e.ts"],
+          include: ["e2e/inbound.e2e.ts", "e2e/alongside.e2e.ts"],
+          fileParallelism: false,
           testTimeout: 600_000,
           hookTimeout: 60_000,
           sequence: { groupOrder: 3 },

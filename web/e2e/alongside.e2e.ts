@@ -1,12 +1,12 @@
 /**
  * The whole exercise: a pilot and two tugmasters, each with a page, bring the ship alongside and make her fast. They only read
  * the docking board and press buttons. The exercise ends by itself, and the instructor opens its report. Then the instructor
- * pauses, rewinds and branches.
+ * pauses, rewinds and branches. With `BY_VIEW=1` pilot and tugmasters close the plan, and look out of the window instead.
  */
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { type Browser, type Served, SHOTS, browse, open, serve } from "./browser";
+import { type Browser, type Served, SHOTS, SOFTWARE_WEBGL, browse, open, serve } from "./browser";
 
 /** The tugs with the end of the ship at which each works. */
 const TUGS = { forward_tug: "bow", after_tug: "stern" } as const;
@@ -17,6 +17,8 @@ interface Master {
   end: "bow" | "stern";
 }
 const PACE = "4";
+/** Pilot and tugmasters have the view in the plan's place, from before they take the helm until all is fast. */
+const BY_VIEW = process.env.BY_VIEW === "1";
 /** A busy machine gives orders less often, and the ship takes longer. */
 const LONGEST_S = 400;
 
@@ -39,7 +41,7 @@ let instructor: Page;
 
 beforeAll(async () => {
   served = await serve(ABREAST);
-  browser = await browse({ width: 1280, height: 800 });
+  browser = await browse({ width: 1280, height: 800 }, false, BY_VIEW ? SOFTWARE_WEBGL : []);
   pilot = await open(browser.context, served, "pilot", errors);
   masters = [];
   for (const [name, end] of Object.entries(TUGS)) {
@@ -50,11 +52,31 @@ beforeAll(async () => {
   if (!first) throw new Error("there is no tugmaster");
   tug = first.page;
   instructor = await open(browser.context, served, "instructor", errors);
+  if (BY_VIEW) for (const page of [pilot, ...masters.map((each) => each.page)]) await looks(page);
 });
 afterAll(async () => {
   await browser.close();
   await served.close();
 });
+
+/** Opens the view in the plan's place. */
+async function looks(page: Page): Promise<void> {
+  await page.bringToFront();
+  await page.getByRole("button", { name: "View out of the window" }).click();
+  await page.getByRole("img", { name: /^View / }).waitFor({ timeout: 60_000 });
+  await planIsClosed(page);
+}
+
+const planIsClosed = async (page: Page) =>
+  expect(await page.getByRole("img", { name: "Plan of ship" }).isVisible()).toBe(false);
+
+/** Shows ship and berth in the plan, or from a camera of the view, for a picture. */
+async function frame(page: Page, camera: string): Promise<void> {
+  if (BY_VIEW) {
+    await planIsClosed(page);
+    await page.locator(".window-tools").getByText(camera, { exact: true }).click();
+  } else await page.getByRole("button", { name: "Ship and berth (0)" }).click();
+}
 
 interface End {
   off: number;
@@ -164,7 +186,7 @@ test("two tugmasters bring her alongside, and the pilot watches the board", asyn
   expect(Math.max(last.bow.off, last.stern.off)).toBeLessThan(0.3);
   expect(landing).toBeLessThan(0.3);
   // Screenshots of the ship at her fenders, for a person to look at.
-  await pilot.getByRole("button", { name: "Ship and berth (0)" }).click();
+  await frame(pilot, "Stb");
   await pilot.waitForTimeout(3000);
   for (const tab of ["Docking", "Lines", "Alarms", "Charts", "Fenders"]) {
     await pilot.getByRole("tab", { name: tab }).click();
@@ -175,7 +197,8 @@ test("two tugmasters bring her alongside, and the pilot watches the board", asyn
   await tug.waitForTimeout(300);
   await tug.screenshot({ path: join(SHOTS, "alongside-tugmaster.png") });
   await pilot.bringToFront();
-  for (let i = 0; i < 2; i++) await pilot.getByRole("button", { name: "Zoom in (+)" }).click();
+  if (!BY_VIEW)
+    for (let i = 0; i < 2; i++) await pilot.getByRole("button", { name: "Zoom in (+)" }).click();
   await pilot.waitForTimeout(200);
   await pilot.screenshot({ path: join(SHOTS, "alongside-close.png") });
   expect(await pilot.locator(".fenders .summary").textContent()).toMatch(
@@ -221,7 +244,7 @@ test("the pilot makes her fast with six lines", async () => {
     await pilot.getByRole("button", { name: `Hold ${name}` }).click();
   }
   await pilot.getByText("All fast: 6 lines.").waitFor();
-  await pilot.getByRole("button", { name: "Ship and berth (0)" }).click();
+  await frame(pilot, "Free");
   await pilot.waitForTimeout(2000);
   await pilot.screenshot({ path: join(SHOTS, "all-fast.png") });
   expect(await pilot.locator(".lines li.alarm").count()).toBe(0);

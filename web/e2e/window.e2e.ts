@@ -14,7 +14,7 @@ import { apart, signature } from "./signature";
 
 const SIZE = { width: 1280, height: 720 };
 const CAMERAS = ["Bridge", "Port", "Stb", "Bow", "Stern", "Tug", "Bollard", "Free"];
-/** In CI, the cameras at dusk and at night; all cameras by day, and elsewhere always. */
+/** The cameras in CI, where the kept pictures have all cameras by day. */
 const SOME_CAMERAS = ["Bridge", "Free"];
 const MOST_SCRIPT_MS = 4;
 const LEAST_FPS = 8;
@@ -110,7 +110,7 @@ test("each camera draws a picture, by day, at dusk and at night", async () => {
       i++
     )
       await page.keyboard.press("b");
-    for (const camera of process.env.CI && palette !== "day" ? SOME_CAMERAS : CAMERAS) {
+    for (const camera of process.env.CI ? SOME_CAMERAS : CAMERAS) {
       await page.locator(".window-tools").getByText(camera, { exact: true }).click();
       await redrawn(page);
       const { count, spread } = await colours(page);
@@ -273,17 +273,16 @@ test("the view follows the timeline, films, and finds the largest fender load", 
   const first = await signature(page, canvas(page));
   await page.getByRole("button", { name: "To the end of the branch" }).click();
   await expect.poll(() => page.getByRole("timer").first().textContent()).not.toContain("0:00:00");
-  // A branch goes on from there, and the view with it.
-  await page.getByRole("button", { name: "Back ten seconds" }).click();
-  await page.getByRole("button", { name: "Go on from here as a new branch" }).click();
-  await redrawn(page);
-  expect((await colours(page)).count).toBeGreaterThan(40);
   await page.getByRole("button", { name: "Rewind to the start" }).click();
   await expect.poll(() => page.getByRole("timer").first().textContent()).toContain("0:00:00");
   await redrawn(page);
   expect(apart(first, await signature(page, canvas(page))).mean).toBeLessThan(TOLERANCE.mean);
   await page.getByRole("button", { name: "To the end of the branch" }).click();
+  // A branch goes on from there, and the view with it. Its lane makes the view lower: its pictures are not compared.
+  await page.getByRole("button", { name: "Back ten seconds" }).click();
+  await page.getByRole("button", { name: "Go on from here as a new branch" }).click();
   await redrawn(page);
+  expect((await colours(page)).count).toBeGreaterThan(40);
   await page.getByRole("tab", { name: "Verdict" }).click();
   const saved = page.waitForEvent("download");
   await page.getByRole("button", { name: "Picture of the largest fender load" }).click();
@@ -354,14 +353,18 @@ outsideCi(
 
 /** References of the pictures: `BLESS=1` writes them anew. */
 const KEPT = new URL("window_pictures.json", import.meta.url).pathname;
-/** How far a picture may be from its reference, of 255: on the mean, and in one field of the grid. */
-const TOLERANCE = { mean: 4, most: 40 };
+/**
+ * How far a picture may be from its reference, of 255: on the mean, and in one field of the grid. On one machine pictures differ by
+ * 0.6 and 5, because a slow machine draws fewer points.
+ */
+const TOLERANCE = { mean: 1.5, most: 15 };
 
-outsideCi("pictures of three scenarios from each camera are as the kept ones", async () => {
+test("pictures of three scenarios from each camera are as the kept ones", async () => {
   const bless = process.env.BLESS === "1";
   const kept: Record<string, string> =
     existsSync(KEPT) && !bless ? JSON.parse(readFileSync(KEPT, "utf8")) : {};
   const found: Record<string, string> = {};
+  const worst = { mean: 0, most: 0 };
   for (const file of [HARBOUR, MOORED, SHIP_TO_SHIP]) {
     const of = await serve([], file);
     const { context, close } = await browse(SIZE, false, SOFTWARE_WEBGL);
@@ -390,6 +393,8 @@ outsideCi("pictures of three scenarios from each camera are as the kept ones", a
       const name = `${file.split("/").at(-1)?.replace(".toml", "") ?? ""} ${camera}`;
       found[name] = await signature(page, canvas(page));
       const off = apart(kept[name] ?? "", found[name]);
+      worst.mean = Math.max(worst.mean, off.mean);
+      worst.most = Math.max(worst.most, off.most);
       if (!bless && (off.mean > TOLERANCE.mean || off.most > TOLERANCE.most))
         await page.screenshot({ path: join(SHOTS, `window-differs-${name}.png`) });
       if (!bless)
@@ -400,6 +405,9 @@ outsideCi("pictures of three scenarios from each camera are as the kept ones", a
     await close();
     await of.close();
   }
+  console.log(
+    `largest differences from the kept pictures: ${worst.mean.toFixed(2)} on the mean, ${worst.most} in a field`,
+  );
   if (bless) writeFileSync(KEPT, `${JSON.stringify(found, null, 2)}\n`);
   expect(errors.filter((text) => !/context lost/i.test(text))).toEqual([]);
 });
