@@ -34,6 +34,8 @@ const ABREAST = [
 const errors: string[] = [];
 let served: Served;
 let browser: Browser;
+/** The instructor's: one browser draws no page beside three with views that are drawn on the processor. */
+let instructors: Browser;
 let pilot: Page;
 let masters: Master[];
 let tug: Page;
@@ -51,11 +53,13 @@ beforeAll(async () => {
   const [first] = masters;
   if (!first) throw new Error("there is no tugmaster");
   tug = first.page;
-  instructor = await open(browser.context, served, "instructor", errors);
+  instructors = BY_VIEW ? await browse({ width: 1280, height: 800 }) : browser;
+  instructor = await open(instructors.context, served, "instructor", errors);
   if (BY_VIEW) for (const page of [pilot, ...masters.map((each) => each.page)]) await looks(page);
 });
 afterAll(async () => {
   await browser.close();
+  if (BY_VIEW) await instructors.close();
   await served.close();
 });
 
@@ -267,7 +271,7 @@ test("the exercise ends by itself, and its report opens from the page", async ()
   );
   expect(score).not.toBeNull();
   await instructor.screenshot({ path: join(SHOTS, "exercise-instructor.png") });
-  const opened = browser.context.waitForEvent("page");
+  const opened = instructors.context.waitForEvent("page");
   await instructor.getByRole("button", { name: "Report of the exercise" }).click();
   const report = await opened;
   await report.waitForURL(/\/report\?token=/, { timeout: 60_000 });

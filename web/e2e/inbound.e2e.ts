@@ -194,11 +194,11 @@ test("two tugs take her to the quay, by the pilot's orders", async () => {
       const end = TUGS[tug];
       const { off, closing } = ends[end];
       const behind = end === "bow" ? lead : -lead;
-      const most = off > 60 ? 0.24 : off > 15 ? 0.16 : 0.1;
+      const most = off > 60 ? 0.24 : off > 20 ? 0.14 : 0.08;
       const speed = Math.max(0.03, Math.min(0.3, most + 0.006 * behind));
       if (off < 0.3) await tells(tug, "push", 25);
       else if (closing < speed - 0.03) await tells(tug, "push", off > 60 ? 50 : 25);
-      else if (closing > speed + 0.08 && off > 4) await tells(tug, "pull", 25);
+      else if (closing > speed + 0.06 && off > 2) await tells(tug, "pull", 25);
       else if (closing > speed) await tells(tug, "stop", 25);
       if (off < 0.4) landing = Math.max(landing, closing);
     }
