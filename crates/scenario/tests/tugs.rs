@@ -204,6 +204,54 @@ fn a_tug_keeps_her_place_beside_a_ship_under_way() {
     assert!((tug.heading_rad - ship.heading_rad).abs() < 0.02, "{tug:?}");
 }
 
+/// A bulk carrier of 180 m at 7 knots turns by 45° and slows down to 4 knots, with a tug 60 m off at each shoulder and
+/// quarter. When a tug has to slow down, her units must not turn astern through the stream: their side forces turned the
+/// tug, and she went into the ship or fell back by 100 m. Half of the 45 m between the tug's place and the ship's side
+/// is left free.
+#[test]
+fn tugs_keep_off_a_ship_that_turns_and_slows_down() {
+    let places = [[45.0, 60.0], [-84.0, 60.0], [45.0, -60.0], [-84.0, -60.0]];
+    let mut text = String::from(
+        "[time]\nstep = \"0.1 s\"\nduration = \"500 s\"\n\
+         [vessel.bulker]\nlength_bp = \"180 m\"\nbeam = \"30 m\"\ndraught = \"10.5 m\"\n\
+         block_coefficient = 0.82\npropeller = { diameter = \"6 m\", full = \"110 rpm\" }\n\
+         rudder = { area = \"34 m^2\", span = \"7.5 m\" }\n\
+         [body.ship]\nvessel = \"bulker\"\nvelocity = { surge = \"7 kn\" }\nrunning = 0.6\n\
+         outline = [[-90, -15], [70, -15], [90, 0], [70, 15], [-90, 15]]\n",
+    );
+    for (i, [ahead, across]) in places.iter().enumerate() {
+        text += &format!(
+            "[body.tug_{i}]\nvessel = \"asd-tug\"\nposition = [{ahead}, {across}]\n\
+             velocity = {{ surge = \"7 kn\" }}\n\
+             [[order]]\nvessel = \"tug_{i}\"\nfollow_ship = {{ ship = \"ship\", at = [{ahead}, {across}], \
+             heading = \"0 deg\", speed = \"8 kn\" }}\n"
+        );
+    }
+    text += "[[order]]\nvessel = \"ship\"\nspeed = \"7 kn\"\n\
+             [[order]]\nvessel = \"ship\"\ncourse = \"0 deg\"\n\
+             [[order]]\nat = \"150 s\"\nvessel = \"ship\"\nspeed = \"4 kn\"\n";
+    for i in 1..=15 {
+        text += &format!(
+            "[[order]]\nat = \"{} s\"\nvessel = \"ship\"\ncourse = \"{} deg\"\n",
+            95 + 5 * i,
+            3 * i
+        );
+    }
+    let mut simulation = simulation(&text);
+    while !simulation.is_done() {
+        simulation.step().expect("a good step");
+        let [ship, tugs @ ..] = simulation.states() else { panic!("a ship and her tugs") };
+        for (tug, &[ahead, across]) in tugs.iter().zip(&places) {
+            let off =
+                ship.pose().apply_inverse(tug.position_m) - fenderline_contact::vec2(ahead, across);
+            let t_s = simulation.time_s();
+            assert!(off.length() < 22.5, "at {t_s} s, the tug of {ahead}, {across}: {off:?}");
+        }
+    }
+    let [ship, tugs @ ..] = simulation.states() else { panic!("a ship and her tugs") };
+    assert!(tugs.iter().all(|tug| (tug.heading_rad - ship.heading_rad).abs() < 0.1));
+}
+
 #[test]
 fn an_azimuth_unit_has_its_thrust_at_rest_its_turning_rate_and_less_thrust_with_speed() {
     let unit = |name: &str| {

@@ -40,6 +40,12 @@ const PATIENCE: f64 = 1.6;
 const STEERS_MPS: [f64; 2] = [0.5, 1.5];
 /// Largest change of heading with which a tug corrects her position by steering (rad).
 const MOST_STEERED_RAD: f64 = 0.5;
+/// A tug that steers pushes ahead with at least this share of her resistance, and with at least her yaw moment over her
+/// length, so that her units stay within some 70° of ahead. Units that pushed astern instead would turn through the
+/// stream, which gives them side forces that turn the tug. A small excess of speed is left to her resistance.
+const LEAST_AHEAD: f64 = 0.1;
+/// A tug at speed brakes by her units if she is faster than her task asks for by this much (m/s).
+const BRAKES_MPS: f64 = 1.5;
 /// Speed away from the ship while the tug takes up the last slack of a line (m/s).
 const TAKE_UP_MPS: f64 = 0.3;
 
@@ -135,6 +141,17 @@ pub enum Task {
     },
 }
 
+/// How a tug uses her azimuth units.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Handled {
+    /// At rest or slow: the units push in any direction.
+    Round,
+    /// At speed: the units push ahead and steer, like rudders.
+    Ahead,
+    /// At speed, and much too fast: the units push against each other and astern, which brakes without a moment.
+    Braking,
+}
+
 /// What the tug's task demands of her thrusters in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AssistDemand {
@@ -142,6 +159,8 @@ pub struct AssistDemand {
     pub demand: Demand,
     /// Whether the thrusters must meet the demanded sway force.
     pub sway: Sway,
+    /// How the tug uses her azimuth units.
+    pub handled: Handled,
 }
 
 /// How much of the position error a tug corrects by steering, 0 to 1, and the change of heading with which she does so
@@ -169,14 +188,15 @@ pub fn assist(
     fastest_mps: f64,
     steady_nm: f64,
 ) -> AssistDemand {
-    let mut sway = Sway::Held;
+    let (mut sway, mut steers) = (Sway::Held, false);
     let (mut thrust_n, mut yaw_gain) = (None, 1.0);
     let (velocity_mps, heading_rad) = match *task {
         Task::Follow { place_m, velocity_mps, heading_rad } => {
             let off = place_m - state.position_m;
             let going = velocity_mps + limited(off * (1.0 / handling.place_time_s), fastest_mps);
             let (share, steered_rad) = steered(going, heading_rad);
-            if share >= 1.0 {
+            steers = share >= 1.0;
+            if steers {
                 sway = Sway::Free;
             }
             (going, handling.bow_first(off, going).unwrap_or(heading_rad + steered_rad))
@@ -219,17 +239,22 @@ pub fn assist(
     let error = attitude.apply_inverse(velocity_mps - state.velocity_mps);
     let stiff = 1.0 / handling.speed_time_s;
     let [surge_kg, sway_kg, _] = handling.inertia;
-    let surge_n = thrust_n.unwrap_or(surge_kg * stiff * error.x);
-    AssistDemand {
-        demand: Demand {
-            surge_n: surge_n - disturbance.surge_n,
-            sway_n: sway_kg * stiff * error.y - disturbance.sway_n,
-            yaw_nm: yaw_gain * handling.turning_moment(state, heading_rad, 0.0)
-                - disturbance.yaw_nm
-                + steady_nm,
-        },
-        sway,
-    }
+    let yaw_nm = yaw_gain * handling.turning_moment(state, heading_rad, 0.0) - disturbance.yaw_nm
+        + steady_nm;
+    let surge_n = thrust_n.unwrap_or(surge_kg * stiff * error.x) - disturbance.surge_n;
+    let handled = match steers {
+        false => Handled::Round,
+        true if error.x < -BRAKES_MPS => Handled::Braking,
+        true => Handled::Ahead,
+    };
+    let surge_n = if handled == Handled::Ahead {
+        let turning_n = yaw_nm.abs() / handling.length_m;
+        greater(surge_n, greater(-LEAST_AHEAD * disturbance.surge_n, turning_n))
+    } else {
+        surge_n
+    };
+    let sway_n = sway_kg * stiff * error.y - disturbance.sway_n;
+    AssistDemand { demand: Demand { surge_n, sway_n, yaw_nm }, sway, handled }
 }
 
 /// Velocity of the tug relative to the ship while she comes alongside. The tug goes to the stand-off distance until her

@@ -8,8 +8,8 @@ use super::azimuth::{AzimuthOrder, AzimuthSetup};
 use super::line::MooringLines;
 use super::vessel::{VesselForces, VesselSetup, VesselState};
 use fenderline_ship::control::{
-    AssistDemand, Demand, Handling, LateralDevice, Reach, Sway, Task, ThrustDevice, ThrustShares,
-    assist as work,
+    AssistDemand, Demand, Handled, Handling, LateralDevice, Reach, Sway, Task, ThrustDevice,
+    ThrustShares, assist as work,
 };
 use fenderline_ship::hydro::{Force, Velocity, Water};
 
@@ -81,7 +81,7 @@ pub(super) fn under_way(
     let demand = Demand { surge_n, sway_n: 0.0, yaw_nm };
     azimuths_alone(setup, &mut shares.devices);
     shares.meet(&demand, Sway::Free);
-    order_azimuths(vessel, setup, &shares.forces_n, stream);
+    order_azimuths(vessel, setup, &shares.forces_n, IDLE, stream);
 }
 
 /// Sets the orders to the azimuth units of a tug that assists. The function uses the buffer `shares` again in each
@@ -101,7 +101,7 @@ pub(super) fn assist(
     let disturbance = disturbance(setup, forces);
     let handling = Handling::of(abilities.inertia, ship.length_m);
     let task = pilot.task(setup.body, states, lines);
-    let AssistDemand { demand, sway } =
+    let AssistDemand { demand, sway, handled } =
         work(&task, &handling, state, &disturbance, pilot.order.fastest_mps, pilot.steady_nm);
     // The integral grows while the tug's bow is held at the ship's side, and decays otherwise.
     let is_held = matches!(task, Task::Push { .. }) && sway == Sway::Free;
@@ -119,11 +119,13 @@ pub(super) fn assist(
     });
     shares.devices.extend(own);
     shares.meet(&demand, sway);
-    if sway == Sway::Held {
+    if sway == Sway::Held || handled == Handled::Braking {
         shares.bias_pairs();
     }
+    // A unit that steers keeps no old direction, which would be a rudder angle.
+    let idle = if handled == Handled::Ahead { 0.0 } else { IDLE };
     let (units_n, thrusters_n) = shares.forces_n.split_at(setup.azimuths.len());
-    order_azimuths(vessel, setup, units_n, stream);
+    order_azimuths(vessel, setup, units_n, idle, stream);
     for (index, (thruster, force_n)) in setup.thrusters.iter().zip(thrusters_n).enumerate() {
         vessel.orders.thrusters[index] = force_n.y / thruster.tunnel.bollard_n;
     }
@@ -151,7 +153,7 @@ pub(super) fn share_with_azimuths(
     shares.meet(demand, Sway::Held);
     shares.bias_pairs();
     let (own, forces_n) = (setup.azimuths.len(), &shares.forces_n);
-    order_azimuths(vessel, setup, &forces_n[..own], stream);
+    order_azimuths(vessel, setup, &forces_n[..own], IDLE, stream);
     for (given_n, force_n) in across_n.iter_mut().zip(&forces_n[own..]) {
         *given_n = force_n.y;
     }
@@ -176,19 +178,20 @@ fn azimuth_place(setup: &VesselSetup, azimuth: &AzimuthSetup) -> Vec2 {
 
 /// Orders a force of each unit, and the power that the unit needs for this force at this velocity through the water.
 /// While a unit still turns, the order gives it the power for the component of the force in the unit's present
-/// direction.
+/// direction. A unit that gets less than the share `idle` of its greatest thrust keeps its direction.
 fn order_azimuths(
     vessel: &mut VesselState,
     setup: &VesselSetup,
     forces_n: &[Vec2],
+    idle: f64,
     stream: &Stream,
 ) {
     let VesselState { orders, azimuths, .. } = vessel;
     for (index, (azimuth, force_n)) in setup.azimuths.iter().zip(forces_n).enumerate() {
         let before = orders.azimuths[index];
-        let idle = force_n.length() < IDLE * azimuth.bollard_n;
+        let is_idle = force_n.length() < idle * azimuth.bollard_n;
         let direction_rad =
-            if idle { before.direction_rad } else { libm::atan2(force_n.y, force_n.x) };
+            if is_idle { before.direction_rad } else { libm::atan2(force_n.y, force_n.x) };
         let now_rad = azimuths[index].direction.angle_rad;
         let (sin, cos) = libm::sincos(now_rad);
         let useful_n = greater(force_n.dot(vec2(cos, sin)), 0.0);
