@@ -78,17 +78,13 @@ fn of_revision(folder: &Path, revision: &str) -> Result<Hashes, String> {
     of_checkout(&checkout, &folder.join(FOLDER).join(format!("results-{name}")))
 }
 
-/// Builds the program of a checkout and runs each of its scenarios. The build uses this workspace's target folder, so
-/// that dependencies are compiled once.
+/// Builds the program of a checkout and runs each of its scenarios. Each checkout has a target folder of its own: in a
+/// shared folder cargo takes the crates of one checkout for those of the other.
 fn of_checkout(checkout: &Path, results: &Path) -> Result<Hashes, String> {
-    let target = std::env::current_dir().map_err(|e| format!("this folder: {e}"))?.join("target");
+    let target = results.join("target");
     let mut build = cargo(["build", "--quiet", "--package", "fenderline"]);
     run(build.current_dir(checkout).env("CARGO_TARGET_DIR", &target))?;
-    std::fs::create_dir_all(results).map_err(|e| format!("{}: {e}", results.display()))?;
-    // Copied, as the build of another checkout overwrites it.
-    let program = results.join("fenderline");
-    std::fs::copy(target.join("debug/fenderline"), &program)
-        .map_err(|e| format!("{}: {e}", program.display()))?;
+    let program = target.join("debug/fenderline");
     let own = std::env::current_dir().map_err(|e| format!("this folder: {e}"))?;
     std::env::set_current_dir(checkout).map_err(|e| format!("{}: {e}", checkout.display()))?;
     let all = scenarios::all();
