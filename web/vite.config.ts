@@ -47,7 +47,7 @@ export default defineConfig({
           include: ["e2e/inbound.e2e.ts", "e2e/alongside.e2e.ts"],
           fileParallelism: false,
           testTimeout: 600_000,
-          hookTimeout: 60_000,
+          hookTimeout: 240_000,
           sequence: { groupOrder: 3 },
         },
       },

@@ -54,6 +54,7 @@ const read = (page: Page) =>
           : 1),
       bow: end("Bow"),
       stern: end("Stern"),
+      toGo: Number(document.querySelector<HTMLElement>(".mark")?.dataset.toGo ?? 0),
     };
   });
 
@@ -151,7 +152,7 @@ test("she goes from the sea buoy through the bend to a stop off the berth, insid
 
 const TUGS = { forward_tug: "bow", after_tug: "stern" } as const;
 const PLACES = { bow: "starboard shoulder", stern: "starboard quarter" } as const;
-const ASTERN = "Dead slow astern";
+const [AHEAD, ASTERN] = ["Dead slow ahead", "Dead slow astern"];
 const STOP = "Stop engine (S)";
 const said = new Map<string, string>();
 
@@ -182,11 +183,12 @@ test("two tugs take her to the quay, by the pilot's orders", async () => {
   let [landing, settled, engine] = [0, 0, ""];
   while (settled < 6) {
     expect(Date.now() - begun, "she is too slow").toBeLessThan(LONGEST_S * 1000);
-    const { bow, stern, along } = await read(pilot);
+    const { bow, stern, along, toGo } = await read(pilot);
     const ends = { bow, stern };
-    // The wind drives her along the quay: a touch astern holds her abreast of her bollards.
-    const wanted = along > 0.06 ? ASTERN : along < 0.02 ? STOP : engine;
-    if (wanted !== engine && wanted) await press(wanted);
+    // The wind drives her along the quay: a touch of the engine brings her bow to its mark and holds it there.
+    const ahead = Math.max(-0.1, Math.min(0.1, 0.004 * toGo));
+    const wanted = along > ahead + 0.04 ? ASTERN : along < ahead - 0.04 ? AHEAD : STOP;
+    if (wanted !== engine) await press(wanted);
     engine = wanted;
     // The end that is farther off goes faster, so that she comes parallel.
     const lead = bow.off - stern.off;
