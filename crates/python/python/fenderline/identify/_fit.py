@@ -121,7 +121,8 @@ class Problem:
             return trial.misses(trial.run(self.tables(trial, active, rows), [(f"fit-{row}", start) for row, start in runs]))
         except Error as error:
             named = [f"{self.chosen[index].name} × {value:.4g}" for index, value in zip(active, rows[0], strict=True)]
-            raise IdentifyError(f"{trial.label}: a run with {', '.join(named) or 'the start values'} failed: {error}. Narrower bounds may help") from error
+            hint = "; narrower bounds may help" if named else ""
+            raise IdentifyError(f"{trial.label}: a run with {', '.join(named) or 'the start values'} failed{hint}: {error}") from error
 
     def misses(self, active: Sequence[int], factors: Floats, starts: Sequence[Floats]) -> list[Floats]:
         """Misses of each trial."""
@@ -176,7 +177,7 @@ class Problem:
         return np.vstack(blocks)
 
     def _solve(
-        self, active: Sequence[int], factors: Floats, starts: Sequence[Floats], sigmas: Floats, most: int, held: tuple[int, float] | None = None
+        self, active: Sequence[int], factors: Floats, starts: Sequence[Floats], sigmas: Floats, most: int, held: tuple[int, float] | None = None, near: float = 1e-8
     ) -> tuple[Floats, list[Floats], float]:
         """Least squares; ``held`` holds one of the active factors at a value. Returns factors, starts and the sum of squares."""
         from scipy.optimize import least_squares
@@ -209,7 +210,7 @@ class Problem:
         def residuals(vector: Floats) -> Floats:
             return self._weighted(self.misses(active, *whole(vector)), sigmas)
 
-        found = least_squares(residuals, begin, jac=jacobian, bounds=(low, high), x_scale=scales, method="trf", xtol=1e-7, ftol=1e-9, gtol=1e-12, max_nfev=most)
+        found = least_squares(residuals, begin, jac=jacobian, bounds=(low, high), x_scale=scales, method="trf", xtol=1e-7, ftol=near, gtol=1e-12, max_nfev=most)
         all_factors, own_starts = whole(found.x)
         return all_factors, own_starts, 2.0 * float(found.cost)
 
@@ -217,7 +218,8 @@ class Problem:
         """Fits the active factors and the states at the start, with the noise from what is left over."""
         sigma = np.array(self._least) if sigmas is None else sigmas
         for turn in range(4):
-            factors, starts, _ = self._solve(active, factors, starts, sigma, 40 if turn == 0 else 12)
+            # The first weights are a guess: their fit need not be exact.
+            factors, starts, _ = self._solve(active, factors, starts, sigma, 40, near=1e-4 if turn == 0 else 1e-8)
             misses = self.misses(active, factors, starts)
             new = self._noise(active, misses)
             is_same = bool(np.all(np.abs(new / sigma - 1.0) < 0.05))

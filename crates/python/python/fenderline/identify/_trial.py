@@ -126,7 +126,7 @@ class Trial:
                 continue
             north, east, heading, surge, sway, yaw = start.tolist()
             velocity = {"surge": surge, "sway": sway, "yaw": yaw}
-            variants.append({f"{body}.position": [north, east], f"{body}.heading": heading, f"{body}.velocity": velocity})
+            variants.append({f"{body}.position": [north, east], f"{body}.heading": math.remainder(heading, 2.0 * math.pi), f"{body}.velocity": velocity})
         fleet = Fleet(scenario, variants)
         states = np.empty((self.strides + 1, len(starts), 6))
         times = np.arange(self.strides + 1) * (self.stride * self.step_s)
