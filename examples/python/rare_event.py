@@ -95,12 +95,13 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--seeds", type=int, default=0, help="count over so many seeds how often the bands meet")
     parser.add_argument("--plain", type=int, default=0, help="make a plain campaign of so many berthings, and keep its figures")
+    parser.add_argument("--threads", type=int, help="threads; all cores if left out")
     parser.add_argument("--bands", action="store_true", help="how often the bands of subset simulation hold a known probability")
     given = parser.parse_args()
     if given.bands:
         print(bands_of_subset_simulation(100))
         return
-    state = reliability.LimitState(FILE, "rated")
+    state = reliability.LimitState(FILE, "rated", threads=given.threads)
     if given.plain:
         plain = reliability.plain(state, runs=given.plain, progress=True)
         KEPT.write_text(json.dumps({"runs": plain.runs, "probability": plain.probability, "low": plain.low, "high": plain.high}, indent=1) + "\n", "utf-8")

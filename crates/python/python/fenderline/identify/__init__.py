@@ -26,6 +26,7 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
+from fenderline._errors import Error
 from fenderline._native import Scenario
 from fenderline._runs import AnyScenario
 from fenderline.identify import _fit, _report
@@ -248,7 +249,10 @@ def _refuse_other_ship(problem: _fit.Problem) -> None:
     for trial in problem.trials:
         begin = trial.guess() if problem.fits_start else None
         ones = {path: 1.0 for own in problem.chosen for path in own.paths}
-        runs = [trial.run({"fit-0": trial.vessel.changed(factors)}, [("fit-0", begin)]) for factors in ({}, ones)]
+        try:
+            runs = [trial.run({"fit-0": trial.vessel.changed(factors)}, [("fit-0", begin)]) for factors in ({}, ones)]
+        except Error as error:
+            raise IdentifyError(f"{trial.label}: the trial does not run from the start of the track: {error}") from error
         away_m = float(np.abs(runs[0] - runs[1])[..., :2].max())
         if away_m > 1e-4 * trial.length_m:
             raise IdentifyError(

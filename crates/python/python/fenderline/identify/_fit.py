@@ -75,7 +75,7 @@ class Fitted:
     starts: list[Floats]
     """State at the start of each trial."""
     sigmas: Floats
-    """Standard deviation of place (m) and heading (rad) of each trial: (trials, 2)."""
+    """Standard deviation of place (m) and heading (rad), the same for each trial: (trials, 2)."""
     covariance: Floats
     """Covariance of the factors."""
     condition: float
@@ -100,8 +100,8 @@ class Problem:
         self.chosen = list(chosen)
         self.fits_start = fits_start
         self.runs = 0
-        #: Steps of the finite differences; one side must lie within the bounds.
-        self._least = [trial.noise() for trial in trials]
+        #: The noise with which the first fit begins, as the noisiest track has it.
+        self._least = np.tile(np.max([trial.noise() for trial in trials], axis=0), (len(trials), 1))
 
     def factors_of(self, active: Sequence[int], values: Floats) -> dict[str, float]:
         """Factors by path."""
@@ -216,7 +216,7 @@ class Problem:
 
     def fit(self, active: Sequence[int], factors: Floats, starts: Sequence[Floats], sigmas: Floats | None = None) -> Fitted:
         """Fits the active factors and the states at the start, with the noise from what is left over."""
-        sigma = np.array(self._least) if sigmas is None else sigmas
+        sigma = self._least if sigmas is None else sigmas
         for turn in range(4):
             # The first weights are a guess: their fit need not be exact.
             factors, starts, _ = self._solve(active, factors, starts, sigma, 40, near=1e-4 if turn == 0 else 1e-8)
@@ -232,15 +232,20 @@ class Problem:
         total = sum(missed.size for missed in misses)
         spent = len(active) + (6 * len(self.trials) if self.fits_start else 0)
         left = max(total - spent, 1) / total
-        found = [(math.sqrt(np.mean(missed[:, :2] ** 2) / left), math.sqrt(np.mean(missed[:, 2] ** 2) / left)) for missed in misses]
+        # One noise for all tracks: weights of each track by what is left of it would let the fit give up the track that fits worst.
+        every = np.concatenate(list(misses))
+        found = (math.sqrt(np.mean(every[:, :2] ** 2) / left), math.sqrt(np.mean(every[:, 2] ** 2) / left))
         # A track without noise, as a run's own result, has none to divide by.
-        return np.maximum(np.array(found), [1e-3, 1e-5])
+        return np.tile(np.maximum(found, [1e-3, 1e-5]), (len(misses), 1))
 
     def _told(self, active: Sequence[int], factors: Floats, starts: list[Floats], sigmas: Floats, misses: list[Floats]) -> Fitted:
         """Covariance and condition at a fit."""
         jacobian = self._jacobian(active, factors, starts, sigmas)
         inflation = np.array([[_inflation(missed[:, :2]), _inflation(missed[:, 2:])] for missed in misses])
-        spread = np.concatenate([np.tile([own[0], own[0], own[1]], len(missed)) for own, missed in zip(inflation, misses, strict=True)])
+        # The variance of each track beside the common one.
+        own_shares = np.array([[np.mean(missed[:, :2] ** 2), np.mean(missed[:, 2] ** 2)] for missed in misses]) / sigmas**2
+        wider = inflation * np.maximum(own_shares, 1e-6)
+        spread = np.concatenate([np.tile([own[0], own[0], own[1]], len(missed)) for own, missed in zip(wider, misses, strict=True)])
         count = len(active)
         own, nuisance = jacobian[:, :count], jacobian[:, count:]
         if nuisance.shape[1]:
@@ -333,7 +338,7 @@ def identify(problem: Problem, limits: Limits, starts: list[Floats], profiles: b
     refused: list[Refused] = []
     # What no run depends on, and what is the same as another, can be told before any fit.
     while active:
-        told = problem._told(active, np.ones(len(active)), before.starts, np.array(problem._least), before.misses)
+        told = problem._told(active, np.ones(len(active)), before.starts, problem._least, before.misses)
         bad = _untold(problem, active, told, Limits(condition=1e6, deviation=math.inf))
         if bad is None:
             break

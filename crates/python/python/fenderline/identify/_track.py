@@ -33,7 +33,7 @@ _USUAL: dict[str, tuple[str, tuple[str, ...]]] = {
     "heading": ("angle", ("heading", "hdg", "hdt", "psi")),
     "ship": ("", ("mmsi", "ship", "vessel", "name")),
 }
-_KEYS = {"columns", "controls", "names", "separator", "skip_lines", "lost", "start", "end", "origin", "antenna", "longest_gap", "fastest", "scale", "ship", "repeated"}
+_KEYS = {"columns", "controls", "names", "separator", "skip_lines", "lost", "start", "end", "origin", "antenna", "longest_gap", "spacing", "fastest", "scale", "ship", "repeated"}
 #: Half-axes of the ellipsoid WGS 84 (m), squared eccentricity.
 _A_M, _E2 = 6378137.0, 6.69437999014e-3
 _MOST_BYTES = 64 << 20
@@ -84,6 +84,7 @@ def read_track(path: str | os.PathLike[str], mapping: AnyMapping | None = None) 
     - ``names``: the names of the columns of a file without a head line; ``skip_lines``: lines above; ``separator``;
     - ``lost``: cells that mean "no reading": rows with such a cell are left out;
     - ``start``, ``end``: first and last time that is used; ``start`` is time 0 of the scenario;
+    - ``spacing``: least time between two rows that are used, for logs with many rows a second;
     - ``origin``: latitude and longitude of the scenario's origin (degrees);
     - ``antenna``: place forward and to starboard of midship;
     - ``longest_gap`` (60 s) and ``fastest`` (20 m/s): a longer gap or a faster ship is an error;
@@ -347,6 +348,17 @@ class _Reader:
             row = int(gaps[0]) + 1
             gap = values[row, 0] - values[row - 1, 0]
             raise self.wrong(f"before this row there is no reading for {gap:.4g} s; `longest_gap` of the mapping allows {longest:g} s", int(lines[row]))
+        spacing = self.quantity("spacing", "time", 0.0)
+        if spacing > 0.0:
+            kept, last = [], -math.inf
+            for row, time in enumerate(values[:, 0].tolist()):
+                # A row that is early by the rounding of its time is in time.
+                if time - last > spacing * 0.999:
+                    kept.append(row)
+                    last = time
+            lines, values = lines[kept], values[kept]
+            if len(lines) < 10:
+                raise self.wrong(f"{len(lines)} rows are left by `spacing` of the mapping; at least 10 are needed")
         values = values.copy()
         values[:, 0] -= start
         return lines, values
