@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Fits coefficients of KVLCC2's model of 7 m to her free-running turning circles, and writes ../kvlcc2_fitted.toml.
 
-    python3 validation/independent/kvlcc2_fit.py FOLDER
+    python3 validation/independent/kvlcc2_fit.py FOLDER [COEFFICIENT...]
 
 needs the Python package of fenderline with SciPy (`pip install ".[identify]"`). FOLDER is that of kvlcc2_tracks.py: the records
 may not be passed on, so the fitted vessel is kept here, and `fenderline validate` runs her.
 
-The records are in full scale, and a negative rudder angle turns the ship to starboard. The fit takes the first 700 s after the
-order, the measured rudder, and the revolutions of the test: with her printed resistance the ship would need more.
+The records are in full scale, and a negative rudder angle turns the ship to starboard. The fit takes the first 420 s after the
+order, the measured rudder, the measured state at the start, and the revolutions of the test: with her printed resistance the
+ship would need more.
 """
 
 import math
@@ -37,7 +38,7 @@ duration = "200 s"
 vessel = "kvlcc2-test"
 outline = [[3.6, 0], [2, 0.6], [-3, 0.6], [-3.6, 0], [-3, -0.6], [2, -0.6]]
 position = [0, 0]
-velocity = { surge = 1.18 }
+velocity = { surge = 1.18, sway = 0, yaw = 0 }
 running = 1
 [[order]]
 vessel = "ship"
@@ -52,7 +53,7 @@ MAPPING = {
     "controls": {"ship.rudder_rad": {"column": "rudder", "unit": "deg", "factor": -1}},
     "repeated": "first",
     "spacing": "4 s",
-    "end": "700 s",
+    "end": "420 s",
     "scale": SCALE,
 }
 
@@ -86,14 +87,27 @@ def circle(scenario: Scenario, side: float) -> tuple[float, float]:
     return places[0][0] / 7.0, abs(places[1][1]) / 7.0
 
 
-def main(folder: Path) -> None:
+def state_at_start(track: Path) -> dict[str, object]:
+    """The keys of the state at the first row of a record, in the scale of the model."""
+    row = [float(word) for word in track.read_text("latin-1").splitlines()[3].split()]
+    heading, speed = math.radians(row[4]), math.sqrt(SCALE)
+    ahead = (math.cos(heading) * row[5] + math.sin(heading) * row[6]) / speed
+    aside = (math.cos(heading) * row[6] - math.sin(heading) * row[5]) / speed
+    velocity = {"surge": ahead, "sway": aside, "yaw": math.radians(row[8]) * speed}
+    # The state is that of the centre of gravity.
+    place = [row[1] / SCALE + 0.25 * math.cos(heading), row[2] / SCALE + 0.25 * math.sin(heading)]
+    return {"body.ship.position": place, "body.ship.heading": heading, "body.ship.velocity": velocity}
+
+
+def main(folder: Path, chosen: list[str]) -> None:
     tracks = [folder / "kvlcc2" / f"MARIN_FREE_KVLCC2_tc_{sign}35_m.dat" for sign in ("-", "")]
     with tempfile.TemporaryDirectory() as text:
         own = Path(text)
         (own / "test.toml").write_text(test_ship(), "utf-8")
         (own / "trial.toml").write_text(TRIAL, "utf-8")
         (own / "fitted.toml").write_text(TRIAL.replace("test.toml", "kvlcc2_fitted.toml").replace("kvlcc2-test", "kvlcc2-test-fitted"), "utf-8")
-        found = identify.identify(own / "trial.toml", tracks, CHOSEN, mapping=MAPPING, profiles=False)
+        scenarios = [Scenario.load(own / "trial.toml", state_at_start(track)) for track in tracks]
+        found = identify.identify(scenarios, tracks, chosen, mapping=MAPPING, start="scenario", profiles=False)
         print(found.table())
         found.write(own / "kvlcc2_fitted.toml")
         text = (own / "kvlcc2_fitted.toml").read_text("utf-8")
@@ -106,6 +120,6 @@ def main(folder: Path) -> None:
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
+    if len(sys.argv) < 2:
         sys.exit(__doc__)
-    main(Path(sys.argv[1]))
+    main(Path(sys.argv[1]), sys.argv[2:] or CHOSEN)

@@ -151,7 +151,7 @@ class Estimate:
     high: float
     """Upper edge of the 95 % band; NaN for a method that has no band."""
     runs: int
-    """Number of runs, without those that found the design point."""
+    """Number of runs, without those that found the design point; of a plain campaign, the number of berthings."""
 
     @property
     def once_in(self) -> float:
@@ -298,18 +298,22 @@ def subset_simulation(state: LimitState, *, runs: int = 10_000, seed: int = 1, m
     if each < 100:
         raise ReliabilityError(f"subset simulation needs at least 100 runs a step, that is {100 * most_steps}, but has {runs}")
     before = state.runs
-    ot.RandomGenerator.SetSeed(seed)
-    method = ot.SubsetSampling(state.event)
-    method.setBlockSize(each // 10)
-    method.setMaximumOuterSampling(10)
-    method.setMinimumProbability(10.0**-most_steps)
-    try:
-        method.run()
-    except (RuntimeError, TypeError) as error:
-        if isinstance(error.__cause__, Error) or "gave no" in str(error):
-            raise ReliabilityError(str(error)) from error
-        reason = str(error).strip().splitlines()[-1]
-        raise ReliabilityError(f"subset simulation stopped: {reason}. Below {10.0**-most_steps:g} take more runs and more steps; else take another seed") from error
+    # OpenTURNS stops where its estimate of a variance comes out negative, once in some hundred tries: then the next stream is taken.
+    for stream in range(4):
+        ot.RandomGenerator.SetSeed(seed + 1_000_000 * stream)
+        method = ot.SubsetSampling(state.event)
+        method.setBlockSize(each // 10)
+        method.setMaximumOuterSampling(10)
+        method.setMinimumProbability(10.0**-most_steps)
+        try:
+            method.run()
+            break
+        except (RuntimeError, TypeError) as error:
+            if isinstance(error.__cause__, Error) or "gave no" in str(error):
+                raise ReliabilityError(str(error)) from error
+            reason = str(error).strip().splitlines()[-1]
+            if stream == 3 or "variance estimate" not in reason:
+                raise ReliabilityError(f"subset simulation stopped: {reason}. Below {10.0**-most_steps:g} take more runs and more steps") from error
     result = method.getResult()
     probability = float(result.getProbabilityEstimate())
     if not probability > 0.0:
@@ -327,22 +331,36 @@ def bound(shares: Floats, each: int) -> float:
     return math.hypot(float(rises.sum()), math.sqrt(9.0 / each))
 
 
-def plain(state: LimitState, *, runs: int, seed: int = 1, progress: bool | Callable[[int, int], object] = False) -> Estimate:
-    """A plain campaign: ``runs`` berthings as the campaign draws them, with the band of Clopper and Pearson."""
+def plain(
+    state: LimitState,
+    *,
+    runs: int,
+    seed: int = 1,
+    safe: Callable[[Floats], npt.NDArray[np.bool_]] | None = None,
+    progress: bool | Callable[[int, int], object] = False,
+) -> Estimate:
+    """A plain campaign: ``runs`` berthings that are drawn at random, with the band of Clopper and Pearson.
+
+    ``safe`` takes probabilities of shape (runs, variables) and says which of these berthings cannot exceed the limit, by a bound such as
+    that of the ship's energy: they are counted without a run.
+    """
     ot = _openturns()
     if runs < 1:
         raise ReliabilityError(f"runs must be at least 1, but is {runs}")
-    before, beyond = state.runs, 0
+    beyond = 0
     with shown(progress, runs) as advance:
         for block, first in enumerate(range(0, runs, _BLOCK)):
             # A stream for each block: a campaign that is made in parts has the same berthings.
             draw = np.random.default_rng([seed, block])
-            beyond += int(np.count_nonzero(state.margins_at(draw.random((min(_BLOCK, runs - first), state.dimension))) <= 0.0))
+            drawn = draw.random((min(_BLOCK, runs - first), state.dimension))
+            if safe is not None:
+                drawn = drawn[~safe(drawn)]
+            beyond += int(np.count_nonzero(state.margins_at(drawn) <= 0.0)) if len(drawn) else 0
             if advance is not None:
                 advance(min(first + _BLOCK, runs))
     low = 0.0 if beyond == 0 else float(ot.Beta(beyond, runs - beyond + 1, 0.0, 1.0).computeQuantile(0.025)[0])
     high = 1.0 if beyond == runs else float(ot.Beta(beyond + 1, runs - beyond, 0.0, 1.0).computeQuantile(0.975)[0])
-    return Estimate("plain campaign", beyond / runs, low, high, state.runs - before)
+    return Estimate("plain campaign", beyond / runs, low, high, runs)
 
 
 def along(state: LimitState, near: DesignPoint, *, points: int = 41, to: float = 1.5) -> Mapping[str, Floats]:

@@ -168,7 +168,7 @@ class Problem:
         count = len(active)
         blocks = []
         for number, (slope, sigma) in enumerate(zip(self.slopes(active, factors, starts), sigmas, strict=True)):
-            weighted = (slope / np.array([sigma[0], sigma[0], sigma[1]])[None, :, None]).reshape(-1, slope.shape[-1])
+            weighted = (slope / np.array([sigma[0], sigma[0], sigma[1]])[None, :, None]).reshape(slope.shape[0] * 3, slope.shape[2])
             block = np.zeros((len(weighted), count + (6 * len(self.trials) if self.fits_start else 0)))
             block[:, :count] = weighted[:, :count]
             if self.fits_start:
