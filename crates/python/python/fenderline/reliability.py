@@ -183,7 +183,7 @@ class DesignPoint:
     """Further design points that other starts found; then FORM counts the nearest alone."""
 
 
-def form(state: LimitState, *, starts: int = 3, seed: int = 1, step: float = 0.02, most_iterations: int = 60) -> DesignPoint:
+def form(state: LimitState, *, starts: int = 6, seed: int = 1, step: float = 0.02, most_iterations: int = 60) -> DesignPoint:
     """The design point by FORM (Abdo and Rackwitz), from ``starts`` starts.
 
     A start is the worst of 60 runs that are drawn wider than the distribution. ``step``: of the finite differences, in standard
