@@ -194,7 +194,7 @@ def test_two_ships_in_a_file(tmp_path: Path) -> None:
 
 
 def test_a_track_of_another_berth(folder: Path, tmp_path: Path) -> None:
-    (tmp_path / "track.csv").write_text(rows(lambda cells: [row.__setitem__(2, "9000") for row in cells] and None))
+    (tmp_path / "track.csv").write_text(rows(lambda cells: [*map(lambda row: row.__setitem__(2, "9000"), cells)].clear()))
     with pytest.raises(identify.TrackError, match="another berth") as caught:
         identify.identify(folder / "turning.toml", tmp_path / "track.csv", ["rudder force"])
     assert caught.value.line == 2

@@ -22,6 +22,7 @@ import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -46,6 +47,7 @@ __all__ = [
     "Quality",
     "Track",
     "TrackError",
+    "VesselFile",
     "coefficients",
     "identify",
     "read_track",
@@ -205,9 +207,9 @@ def identify(
         raise missing()
     if start not in ("fit", "scenario"):
         raise IdentifyError(f"`start` is {start!r}; there are: \"fit\", \"scenario\"")
-    tracks = list(track) if isinstance(track, Sequence) and not isinstance(track, str) else [track]
-    scenarios = list(scenario) if isinstance(scenario, list | tuple) else [scenario] * len(tracks)
-    mappings = list(mapping) if isinstance(mapping, list | tuple) else [mapping] * len(tracks)
+    tracks: list[Any] = list(track) if isinstance(track, Sequence) and not isinstance(track, str) else [track]
+    scenarios: list[Any] = list(scenario) if isinstance(scenario, list | tuple) else [scenario] * len(tracks)
+    mappings: list[Any] = list(mapping) if isinstance(mapping, list | tuple) else [mapping] * len(tracks)
     if not tracks or len(scenarios) != len(tracks) or len(mappings) != len(tracks):
         raise IdentifyError(f"there are {len(scenarios)} scenarios, {len(tracks)} tracks and {len(mappings)} mappings: give one scenario and one mapping, or one for each track")
     trials = []
@@ -230,7 +232,8 @@ def _chosen(vessel: VesselFile, fit: Chosen) -> list[_fit.Chosen]:
     names = dict(fit) if isinstance(fit, Mapping) else dict.fromkeys([fit] if isinstance(fit, str) else fit, BOUNDS)
     if not names:
         raise IdentifyError("no coefficient is chosen")
-    chosen, taken = [], {}
+    chosen: list[_fit.Chosen] = []
+    taken: dict[str, str] = {}
     for name, bounds in names.items():
         low, high = bounds
         if not (0.0 < low < 1.0 < high < math.inf):

@@ -217,16 +217,17 @@ class Problem:
     def fit(self, active: Sequence[int], factors: Floats, starts: Sequence[Floats], sigmas: Floats | None = None) -> Fitted:
         """Fits the active factors and the states at the start, with the noise from what is left over."""
         sigma = self._least if sigmas is None else sigmas
+        states = list(starts)
         for turn in range(4):
             # The first weights are a guess: their fit need not be exact.
-            factors, starts, _ = self._solve(active, factors, starts, sigma, 40, near=1e-4 if turn == 0 else 1e-8)
-            misses = self.misses(active, factors, starts)
+            factors, states, _ = self._solve(active, factors, states, sigma, 40, near=1e-4 if turn == 0 else 1e-8)
+            misses = self.misses(active, factors, states)
             new = self._noise(active, misses)
             is_same = bool(np.all(np.abs(new / sigma - 1.0) < 0.05))
             sigma = new
             if is_same:
                 break
-        return self._told(active, factors, starts, sigma, misses)
+        return self._told(active, factors, states, sigma, misses)
 
     def _noise(self, active: Sequence[int], misses: Sequence[Floats]) -> Floats:
         total = sum(missed.size for missed in misses)

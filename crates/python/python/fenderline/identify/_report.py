@@ -159,8 +159,8 @@ def page(found: Identification) -> str:
     profiles = [own for own in found.coefficients if own.profile is not None]
     if profiles:
         parts.append("<h2>Profiles of the likelihood</h2>" + "".join(map(_profile, profiles)))
-    for number, own in enumerate(found.quality):
-        parts.append(f"<h2>{escape(own.label)}</h2>")
+    for number, quality in enumerate(found.quality):
+        parts.append(f"<h2>{escape(quality.label)}</h2>")
         parts.append(f'<p>Measured <span style="color:{_MEASURED}">●</span>, before <span style="color:{_OLD}">■</span>, after <span style="color:{_NEW}">■</span></p>')
         parts.append(_way(found, number) + "<h3>What is left over</h3>" + _left(found, number))
     if found.remarks:

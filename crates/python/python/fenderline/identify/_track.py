@@ -280,8 +280,8 @@ class _Reader:
             raise self.wrong(f"`scale` of the mapping is {scale!r}, and must be a number above 0")
         self.refuse_jumps(lines, time_s, places)
         antenna = self.mapping.get("antenna", [0.0, 0.0])
-        place = [_units.quantity(value, "length") for value in antenna] if isinstance(antenna, list) else []
-        if len(place) != 2 or place[0] is None or place[1] is None:
+        aboard = [_units.quantity(value, "length") for value in antenna] if isinstance(antenna, list) else []
+        if len(aboard) != 2 or aboard[0] is None or aboard[1] is None:
             raise self.wrong(f"`antenna` of the mapping is {antenna!r}: write it as [\"-40 m\", \"2 m\"], forward and to starboard of midship")
         self.remarks.append(f"{len(rows)} rows, {len(lines)} used")
         return Track(
@@ -292,7 +292,7 @@ class _Reader:
             east_m=places[:, 1] / scale,
             heading_rad=turned,
             controls={name: values[:, 4 + index] for index, name in enumerate(controls)},
-            antenna_m=(place[0] / scale, place[1] / scale),
+            antenna_m=(aboard[0] / scale, aboard[1] / scale),
             is_placed=is_placed,
             remarks=tuple(self.remarks),
         )

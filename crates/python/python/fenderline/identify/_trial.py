@@ -128,8 +128,8 @@ class Trial:
             velocity = {"surge": surge, "sway": sway, "yaw": yaw}
             variants.append({f"{body}.position": [north, east], f"{body}.heading": math.remainder(heading, 2.0 * math.pi), f"{body}.velocity": velocity})
         fleet = Fleet(scenario, variants)
-        states = np.empty((self.strides + 1, len(starts), 6))
-        times = np.arange(self.strides + 1) * (self.stride * self.step_s)
+        states: Floats = np.empty((self.strides + 1, len(starts), 6))
+        times: Floats = np.arange(self.strides + 1, dtype=np.float64) * (self.stride * self.step_s)
         orders = [(column, np.interp(times + 0.5 * self.stride * self.step_s, self.track.time_s, values)) for column, values in self._controls]
         for sample in range(self.strides + 1):
             states[sample] = fleet.states[:, self.body]
