@@ -29,6 +29,7 @@ mod tables;
 mod totals;
 mod unpickled;
 mod variants;
+mod vessels;
 mod whole;
 
 use pyo3::prelude::*;
@@ -50,5 +51,7 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(scenario::scenario_of_parts, module)?)?;
     module.add_function(wrap_pyfunction!(unpickled::simulation_of_parts, module)?)?;
     module.add_function(wrap_pyfunction!(contacts::step_event, module)?)?;
+    module.add_function(wrap_pyfunction!(vessels::vessel_files, module)?)?;
+    module.add_function(wrap_pyfunction!(vessels::vessel_numbers, module)?)?;
     module.add_function(wrap_pyfunction!(many::run_variants, module)?)
 }

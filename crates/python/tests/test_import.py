@@ -8,7 +8,7 @@ import sys, time
 began = time.process_time()
 import fenderline
 spent = time.process_time() - began
-heavy = {"gymnasium", "matplotlib", "pandas", "pettingzoo", "pyarrow", "tqdm", "xarray"} & set(sys.modules)
+heavy = {"gymnasium", "matplotlib", "openturns", "pandas", "pettingzoo", "pyarrow", "scipy", "tqdm", "xarray"} & set(sys.modules)
 print(spent, *heavy)
 """
 

@@ -4,6 +4,7 @@
 - :class:`Simulation`: a whole scenario, step by step; :func:`run` runs one to its end.
 - :func:`run_many`: thousands of variants on all cores; :class:`Fleet`: many simulations in lockstep.
 - :mod:`fenderline.campaign`: runs with values drawn from distributions, on one machine or many.
+- :mod:`fenderline.identify`: coefficients of a vessel from measured tracks; :mod:`fenderline.reliability`: rare events.
 - :mod:`fenderline.plot`: figures of results.
 - :mod:`fenderline.hydrodynamics`: hydrodynamic data of Capytaine, WAMIT, HAMS, Nemoh and AQWA for ships in waves.
 - :mod:`fenderline.docking`: a Gymnasium environment, ``fenderline/Docking-v0``; :mod:`fenderline.tugs`: two tugs, for PettingZoo.

@@ -45,7 +45,13 @@ pub struct VesselLibrary {
 }
 
 impl VesselLibrary {
-    /// The built-in vessel files.
+    /// Names and texts of the built-in vessel files.
+    #[must_use]
+    pub fn built_in_files() -> &'static [(&'static str, &'static str)] {
+        &VESSEL_FILES
+    }
+
+    /// The vessels of the built-in vessel files.
     #[must_use]
     pub fn built_in() -> VesselLibrary {
         VesselLibrary::of_program().clone()

@@ -5,7 +5,7 @@ use fenderline_sim::hydro::vessels::Vessel;
 use fenderline_sim::hydro::{Model3, Water};
 
 use super::Values;
-use super::ships::vessel;
+use super::ships::{fitted_kvlcc2, vessel};
 
 /// Time step of a manoeuvre, divided by the time in which the ship sails her own length; this is 0.08 s for KVLCC2.
 const STEP: f64 = 0.002;
@@ -24,6 +24,13 @@ pub(super) fn compute(values: &mut Values) {
         let model = Model3::new(vessel.ship, Water::SEA);
         let rps = self_propulsion_rps(&model, approach_mps(&vessel)).expect("a balance");
         values.put(format!("{name}/self_propulsion"), rps, "1/s");
+    }
+    // The fit took the revolutions of the tests, which are her full revolutions, and no others hold her speed.
+    let data = fitted_kvlcc2();
+    let mut fitted = Trial::of(&data.trial());
+    fitted.approach.shaft_rps = data.shaft.expect("she has a propeller").full_rps;
+    for (side, sign) in [("starboard", 1.0), ("port", -1.0)] {
+        fitted.turn(values, &format!("kvlcc2_fitted/turn_35/{side}"), sign * 35.0);
     }
     // In ratios the density of the water plays no part.
     let esso_osaka = Trial::of(&vessel("esso-osaka"));

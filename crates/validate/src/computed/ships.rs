@@ -9,6 +9,16 @@ pub(crate) fn vessel(name: &str) -> Vessel {
     data(name).trial()
 }
 
+/// KVLCC2's model of 7 m with coefficients fitted to her turning circles, by her vessel file.
+/// `validation/independent/kvlcc2_fit.py` makes the file.
+pub(super) fn fitted_kvlcc2() -> VesselData {
+    let name = "kvlcc2_fitted.toml";
+    let text = include_str!(concat!(env!("FENDERLINE_DATA"), "/validation/kvlcc2_fitted.toml"));
+    let library = VesselLibrary::built_in().with_file(text, name);
+    let library = library.unwrap_or_else(|e| panic!("the built-in validation/{name}: {e}"));
+    library.vessel("kvlcc2-test-fitted").expect("the file has this vessel").clone()
+}
+
 /// The container ship of Moreno et al. (2023), with coefficients based on the length overall, the only length that
 /// their paper gives.
 pub(super) fn container() -> Particulars {
