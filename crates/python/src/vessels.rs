@@ -27,7 +27,7 @@ pub(crate) fn vessel_numbers<'py>(
     let setup = &scenario.checked.setup;
     let is_hers = |vessel: &&VesselSetup| setup.bodies[vessel.body].name == body;
     let Some(vessel) = setup.world.vessels.iter().find(is_hers) else {
-        return Err(errors::bad_argument(&format!("the body `{body}` is no vessel")));
+        return Err(errors::bad_argument(format!("the body `{body}` is no vessel")));
     };
     let all = PyDict::new(py);
     for (path, value) in numbers(&vessel.deep) {

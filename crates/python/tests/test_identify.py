@@ -36,6 +36,12 @@ def folder(root: Path) -> Path:
     return root / "examples" / "identification"
 
 
+@pytest.fixture(scope="module")
+def short(folder: Path) -> dict[str, object]:
+    """The mapping, for the first five minutes of a track."""
+    return tomllib.loads((folder / "mapping.toml").read_text()) | {"end": "2026-05-01T06:05:00Z"}
+
+
 def test_a_known_ship_is_found_again(example: ModuleType, tmp_path: Path) -> None:
     found = example.fit(7, tmp_path, profiles=False)
     assert found.fitted == list(example.TRUTH)
@@ -78,10 +84,10 @@ def test_the_program_accepts_the_fitted_vessel(example: ModuleType, folder: Path
     assert "3.0217" in shown and "a fit" in shown
 
 
-def test_what_a_track_cannot_tell_is_named_and_left(folder: Path) -> None:
+def test_what_a_track_cannot_tell_is_named_and_left(folder: Path, short: dict[str, object]) -> None:
     # Area and lift gradient of a rudder are one product; no run of this trial goes astern.
     chosen = ["rudder.lift_gradient", "rudder.area", "propeller.thrust_deduction_astern", "sway_polynomial.n_r"]
-    found = identify.identify(folder / "turning.toml", folder / "turning.csv", chosen, mapping=folder / "mapping.toml", profiles=False)
+    found = identify.identify(folder / "turning.toml", folder / "turning.csv", chosen, mapping=short, profiles=False)
     own = {one.name: one for one in found.coefficients}
     assert own["propeller.thrust_deduction_astern"].refused == "no run depends on it"
     twins = [own["rudder.lift_gradient"], own["rudder.area"]]
@@ -93,9 +99,9 @@ def test_what_a_track_cannot_tell_is_named_and_left(folder: Path) -> None:
     assert all(path not in found.factors() for path in refused[0].values)
 
 
-def test_a_weak_coefficient_is_profiled(folder: Path) -> None:
+def test_a_weak_coefficient_is_profiled(folder: Path, short: dict[str, object]) -> None:
     found = identify.identify(
-        folder / "turning.toml", folder / "turning.csv", {"sway_polynomial.n_vvr": (0.8, 1.25)}, mapping=folder / "mapping.toml", limits=identify.Limits(weak=0.0)
+        folder / "turning.toml", folder / "turning.csv", {"sway_polynomial.n_vvr": (0.8, 1.25)}, mapping=short, limits=identify.Limits(weak=0.0)
     )
     own = found.coefficients[0]
     if own.refused is None:

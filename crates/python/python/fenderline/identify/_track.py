@@ -83,7 +83,7 @@ def read_track(path: str | os.PathLike[str], mapping: AnyMapping | None = None) 
     - ``controls``: likewise for measured orders, such as ``"ship.rudder_rad" = { column = "rudder", unit = "deg" }``;
     - ``names``: the names of the columns of a file without a head line; ``skip_lines``: lines above; ``separator``;
     - ``lost``: cells that mean "no reading": rows with such a cell are left out;
-    - ``start``, ``end``: first and last time that is used; ``start`` is time 0 of the scenario;
+    - ``start``, ``end``: first and last time that is used, in the time of the file; ``start`` is time 0 of the scenario;
     - ``spacing``: least time between two rows that are used, for logs with many rows a second;
     - ``origin``: latitude and longitude of the scenario's origin (degrees);
     - ``antenna``: place forward and to starboard of midship;
@@ -132,6 +132,16 @@ class _Reader:
         if value is None:
             raise self.wrong(f"`{key}` of the mapping is {given!r}, which is no {dimension}: write it as \"60 s\" or a number in SI units")
         return value
+
+    def bound(self, key: str, default: float) -> float:
+        """A time of the file: seconds, or a date where the file has dates."""
+        given = self.mapping.get(key)
+        try:
+            # A plain number, as 20260501, is no date.
+            date = datetime.fromisoformat(given if isinstance(given, str) else "")
+        except ValueError:
+            return self.quantity(key, "time", default)
+        return (date if date.tzinfo else date.replace(tzinfo=UTC)).timestamp()
 
     # The file.
 
@@ -336,8 +346,7 @@ class _Reader:
             row = int(back[0]) + 1
             word = "repeats the time of" if steps[row - 1] == 0.0 else f"is {-steps[row - 1]:g} s before"
             raise self.wrong(f"the time of the row {word} the row before", int(lines[row]))
-        start = self.quantity("start", "time", float(values[0, 0]))
-        end = self.quantity("end", "time", math.inf)
+        start, end = self.bound("start", float(values[0, 0])), self.bound("end", math.inf)
         is_used = (values[:, 0] >= start) & (values[:, 0] <= end)
         if np.count_nonzero(is_used) < 10:
             raise self.wrong(f"{np.count_nonzero(is_used)} rows are between `start` and `end` of the mapping; at least 10 are needed")
