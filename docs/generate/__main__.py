@@ -16,6 +16,7 @@ import commands
 import figures
 import keys
 import pages
+import protocol
 import sweeps
 import validation
 import worked
@@ -33,6 +34,7 @@ def main() -> None:
         **keys.pages(program),
         "reference/columns.md": columns.page(columns_json),
         "reference/commands.md": commands.page(program),
+        "reference/protocol.md": protocol.page(),
         "validation.md": validation.page(validation_json),
         "sweeps.md": sweeps.page(sweeps_json, FOLDER / "figures"),
         "worked_examples.md": worked.page(validation_json),

@@ -327,6 +327,10 @@ pub(crate) struct ServeArgs {
     /// UDP address to send NMEA 0183 and AIS sentences to, such as 127.0.0.1:10110
     #[arg(long, value_name = "ADDR:PORT")]
     pub(crate) nmea_udp: Option<SocketAddr>,
+    /// Port, or address and port, on which a controller steers the pilot's ship by NMEA sentences: HTC, HSC, APB, ROR, PRC
+    /// and TRC; 0 takes a free port. A port alone is open to this machine only
+    #[arg(long, value_name = "[ADDR:]PORT", value_parser = local_port)]
+    pub(crate) nmea_steer: Option<SocketAddr>,
     /// Latitude and longitude of the scenario's origin in the NMEA and AIS sentences (degrees) [default: the origin of
     /// the scenario's chart, or 0,0 without a chart]
     #[arg(long, value_name = "LAT,LON", value_parser = origin, allow_hyphen_values = true)]
@@ -866,6 +870,13 @@ fn origin(text: &str) -> Result<ChartOrigin, String> {
     });
     let (latitude_deg, longitude_deg) = two.ok_or("it must be LAT,LON in degrees")?;
     ChartOrigin::new(GeoPoint { latitude_deg, longitude_deg }).map_err(|e| e.to_string())
+}
+
+/// An address with a port, or a port of this machine alone.
+fn local_port(text: &str) -> Result<SocketAddr, String> {
+    let port = text.parse().map(|port| SocketAddr::from(([127, 0, 0, 1], port)));
+    port.or_else(|_| text.parse::<SocketAddr>())
+        .map_err(|_| "it must be a port from 0 to 65535, or an address and a port".to_owned())
 }
 
 fn platform(text: &str) -> Result<Platform, String> {

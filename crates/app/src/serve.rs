@@ -28,6 +28,7 @@ pub(crate) fn serve(args: &ServeArgs) -> Result<(), Failure> {
         is_paused: args.paused,
         nmea_tcp: args.nmea_tcp,
         nmea_udp: args.nmea_udp,
+        nmea_steer: args.nmea_steer,
         origin: args.origin,
         report: debrief,
         notify: remark,

@@ -6,6 +6,7 @@ mod instruments;
 mod mooring;
 mod people;
 mod restart;
+mod steering;
 mod trial;
 
 use crate::client;

@@ -185,3 +185,23 @@ fn a_prediction_is_her_path_without_further_orders() {
         support::go(&mut session, 100);
     }
 }
+
+/// The guide names every type of message, every role, and the version.
+#[test]
+fn the_guide_of_the_protocol_names_what_the_pages_know() {
+    let guide = include_str!("../../../docs/guides/protocol.md");
+    let pages = include_str!("../../../web/src/protocol.ts");
+    let mut words: BTreeSet<&str> = BTreeSet::new();
+    for key in ["type: \"", "{ name: \""] {
+        words.extend(pages.split(key).skip(1).filter_map(|rest| rest.split('"').next()));
+    }
+    for word in ["hello", "frame", "history", "refused", "command", "tugmaster"] {
+        assert!(words.contains(word), "{word} is not in web/src/protocol.ts: {words:?}");
+    }
+    let is_named = |word: &&str| {
+        guide.contains(&format!("`{word}`")) || guide.contains(&format!("\"{word}\""))
+    };
+    let missing: Vec<&str> = words.iter().copied().filter(|word| !is_named(word)).collect();
+    assert_eq!(missing, Vec::<&str>::new(), "docs/guides/protocol.md does not name them");
+    assert!(guide.contains(&format!("describes version {}.", message::PROTOCOL)));
+}

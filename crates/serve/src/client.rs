@@ -11,7 +11,7 @@ use tokio::sync::{mpsc, watch};
 use tokio::time::{MissedTickBehavior, interval, timeout};
 
 use super::claims::ClientId;
-use super::hub::{Hub, Published, Text, ToEngine};
+use super::hub::{Hub, Kind, Published, Text, ToEngine};
 use super::rate::Bucket;
 
 /// A client is disconnected if the client does not read a message within this time.
@@ -54,11 +54,11 @@ async fn close(mut socket: WebSocket, code: u16, reason: &'static str) {
 }
 
 /// Serves a client until the client disconnects, is silent for too long or breaks a limit.
-pub(crate) async fn serve(mut socket: WebSocket, hub: Arc<Hub>, role: Role) {
+pub(crate) async fn serve(mut socket: WebSocket, hub: Arc<Hub>, role: Role, kind: Kind) {
     let client = hub.new_client();
     let (hello, greeted) = watch::channel(None);
     let (out, answers) = mpsc::channel(MOST_ANSWERS);
-    if !hub.send_to_engine(ToEngine::Join { client, role: role.clone(), hello, out }) {
+    if !hub.send_to_engine(ToEngine::Join { client, role: role.clone(), kind, hello, out }) {
         return;
     }
     let ended = exchange(&mut socket, &hub, (client, &role), greeted, answers).await;
@@ -231,5 +231,33 @@ impl Listener {
         }
         let reason = reason.to_owned();
         Taken::Answer(message::text(&Reply::Refused { id: None, reason }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The page of the protocol states the limits that hold.
+    #[test]
+    fn the_guide_of_the_protocol_states_the_limits() {
+        let guide = include_str!("../../../docs/guides/protocol.md");
+        let guide = guide.split_whitespace().collect::<Vec<_>>().join(" ");
+        for text in [
+            format!("{} a second, {} in a burst", COMMANDS.0, COMMANDS.1),
+            format!("| refused messages in a row | {MOST_REFUSED} |"),
+            format!(
+                "| {} s; the server pings every {} s |",
+                MOST_SILENCE.as_secs(),
+                PING_INTERVAL.as_secs()
+            ),
+            format!("reads nothing | {} s |", SEND_TIMEOUT.as_secs()),
+            format!("with code {NO_TOKEN}"),
+            format!("with code {FULL}"),
+            format!("with code {POLICY}"),
+            format!("describes version {}.", message::PROTOCOL),
+        ] {
+            assert!(guide.contains(&text), "docs/guides/protocol.md does not say: {text}");
+        }
     }
 }

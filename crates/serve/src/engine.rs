@@ -16,6 +16,7 @@ mod names;
 mod predictor;
 mod recording;
 mod seats;
+mod steering;
 mod trials;
 
 use std::collections::BTreeMap;
@@ -201,12 +202,19 @@ impl Engine {
 
     fn take(&mut self, message: ToEngine) {
         match message {
-            ToEngine::Join { client, role, hello, out } => self.join(client, role, hello, out),
+            ToEngine::Join { client, role, kind, hello, out } => {
+                self.join(client, (role, kind), hello, out);
+            }
             ToEngine::Leave { client } => self.leave(client),
             ToEngine::Command { client, id, request } => {
                 self.hub.command_taken();
                 self.command(client, id, request);
             }
+            ToEngine::Steer { client, order } => {
+                self.hub.command_taken();
+                self.steer(client, order);
+            }
+            ToEngine::Silent { client } => self.silent(client),
             ToEngine::WorkDone(outcome) => self.work_done(outcome),
             ToEngine::Stop => {}
         }

@@ -23,7 +23,7 @@ use tokio::time::timeout;
 
 use super::client;
 use super::connections::{Connections, Peer};
-use super::hub::Hub;
+use super::hub::{Hub, Kind};
 use super::known_hosts::KnownHosts;
 use super::page::Page;
 
@@ -136,8 +136,9 @@ async fn live(
         return upgrade.on_upgrade(turn_away(&site, peer, client::turn_away_full));
     };
     let hub = Arc::clone(&site.hub);
+    let kind = if is_program(&uri) { Kind::Program } else { Kind::Page };
     upgrade.on_upgrade(async move |socket| {
-        client::serve(socket, hub, role).await;
+        client::serve(socket, hub, role, kind).await;
         drop(seat);
     })
 }
@@ -147,6 +148,11 @@ fn role(site: &Site, uri: &Uri) -> Option<Role> {
     let token = uri.query().unwrap_or("").split('&').find_map(|pair| pair.strip_prefix("token="));
     let tokens = site.hub.tokens.read().unwrap_or_else(PoisonError::into_inner);
     tokens.role(token.unwrap_or(""))
+}
+
+/// True if the client says by its address that it is a program, so that people take controls from it.
+fn is_program(uri: &Uri) -> bool {
+    uri.query().unwrap_or("").split('&').any(|pair| pair == "program=1")
 }
 
 /// Sends the report that the instructor asked for last. The command `report` makes this report. Because the command

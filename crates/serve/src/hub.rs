@@ -6,6 +6,7 @@ use std::sync::{Arc, RwLock};
 
 use fenderline_live::message::{self, EventNow, Reply, Role};
 use fenderline_live::{Refusal, Request};
+use fenderline_nautical::read::ControlOrder;
 use tokio::sync::{mpsc, watch};
 
 use super::claims::ClientId;
@@ -95,6 +96,17 @@ impl Predicted {
     }
 }
 
+/// What a client is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// The page of a person.
+    Page,
+    /// A program that steers by the protocol of the pages.
+    Program,
+    /// A controller that steers by NMEA sentences.
+    Nmea,
+}
+
 /// A message to the thread that runs the simulation.
 pub(crate) enum ToEngine {
     /// A client has connected. `hello` always holds the latest greeting for the client. `out` is the queue of answers
@@ -102,6 +114,7 @@ pub(crate) enum ToEngine {
     Join {
         client: ClientId,
         role: Role,
+        kind: Kind,
         hello: watch::Sender<Option<Text>>,
         out: mpsc::Sender<Text>,
     },
@@ -109,6 +122,10 @@ pub(crate) enum ToEngine {
     Leave { client: ClientId },
     /// The client sent a command.
     Command { client: ClientId, id: Option<i64>, request: Result<Request, Refusal> },
+    /// A controller gave an order by an NMEA sentence.
+    Steer { client: ClientId, order: ControlOrder },
+    /// A controller has given no order for some time.
+    Silent { client: ClientId },
     /// Work on another thread has finished.
     WorkDone(Outcome),
     /// The server is stopping.
@@ -164,7 +181,7 @@ impl Hub {
     /// Sends a message to the simulation's thread. The number of messages that may wait is limited. Returns false if
     /// too many messages wait, or if the server is stopping.
     pub(crate) fn send_to_engine(&self, message: ToEngine) -> bool {
-        if matches!(message, ToEngine::Command { .. }) {
+        if matches!(message, ToEngine::Command { .. } | ToEngine::Steer { .. }) {
             if self.waiting.fetch_add(1, Ordering::AcqRel) >= MOST_WAITING {
                 self.waiting.fetch_sub(1, Ordering::AcqRel);
                 return false;

@@ -20,6 +20,7 @@
 //! | `known_hosts`, `tokens` | which hosts and origins are answered, and the links to pages |
 //! | `client` | the task that serves one websocket |
 //! | `wire` | instrument sentences to chart programs, over TCP and UDP |
+//! | `steering` | orders of controllers by NMEA sentences, over TCP |
 //! | `connections`, `seats`, `rate`, `log` | limits on connections, clients, commands and log lines |
 //!
 //! The crate knows nothing of the command line. The program gives [`Options`], shows [`Server::greeting`] and decides
@@ -49,6 +50,7 @@ mod recorder;
 mod role_words;
 mod saved;
 mod seats;
+mod steering;
 mod tokens;
 mod wire;
 
@@ -105,6 +107,8 @@ pub struct Options {
     pub nmea_tcp: Option<u16>,
     /// UDP address of a chart program to which sentences are sent.
     pub nmea_udp: Option<SocketAddr>,
+    /// Address on which the server listens for controllers that steer the pilot's ship by NMEA sentences.
+    pub nmea_steer: Option<SocketAddr>,
     /// Geographic position of the scenario's origin in the sentences to chart programs. With `None`, positions count
     /// from the origin of the scenario's nautical chart, or from 0° N 0° E without a chart.
     pub origin: Option<ChartOrigin>,
@@ -297,6 +301,12 @@ fn check_addresses(options: &Options) -> Result<(), ServeError> {
             options.bind
         )));
     }
+    if let Some(at) = options.nmea_steer.filter(|at| !at.ip().is_loopback()) {
+        return Err(ServeError::input(format_args!(
+            "error: {at} is not a loopback address: anybody who reaches the address could steer the ship without a link. \
+             Give --allow-remote if you want that"
+        )));
+    }
     match options.nmea_udp {
         Some(to) if !to.ip().is_loopback() => Err(ServeError::input(format_args!(
             "error: {to} is not a loopback address. Give --allow-remote to send sentences to another machine"
@@ -316,7 +326,7 @@ fn gallery(options: &Options) -> Gallery {
     gallery
 }
 
-/// Starts the connections to chart programs. Returns a line for the user about each connection to chart programs.
+/// Starts the connections to chart programs and controllers. Returns a line for the user about each connection.
 fn wires(options: &Options, hub: &Arc<Hub>, runtime: &Runtime) -> Result<String, ServeError> {
     let mut lines = String::new();
     let cannot = |what: String| move |e| ServeError::failed(format_args!("error: {what}: {e}"));
@@ -328,6 +338,14 @@ fn wires(options: &Options, hub: &Arc<Hub>, runtime: &Runtime) -> Result<String,
         let at = listener.local_addr().unwrap_or(at);
         lines += &format!("NMEA 0183 and AIS over TCP on {at}\n");
         runtime.spawn(wire::tcp(listener, Arc::clone(hub)));
+    }
+    if let Some(at) = options.nmea_steer {
+        let listener = runtime
+            .block_on(TcpListener::bind(at))
+            .map_err(cannot(format!("the server cannot listen for controllers on {at}")))?;
+        let at = listener.local_addr().unwrap_or(at);
+        lines += &format!("NMEA 0183 orders of a controller over TCP on {at}\n");
+        runtime.spawn(steering::serve(listener, Arc::clone(hub)));
     }
     if let Some(to) = options.nmea_udp {
         let from = SocketAddr::new(if to.is_ipv4() { ANY_4 } else { ANY_6 }, 0);

@@ -51,7 +51,16 @@ pub(crate) struct Client {
 
 impl Client {
     pub(crate) async fn join(server: &Server, role: &str) -> Client {
-        let socket = connect(server, &live_path(server, role)).await.expect("let in");
+        Client::join_at(server, &live_path(server, role)).await
+    }
+
+    /// A client that says that it is a program.
+    pub(crate) async fn join_as_program(server: &Server, role: &str) -> Client {
+        Client::join_at(server, &(live_path(server, role) + "&program=1")).await
+    }
+
+    async fn join_at(server: &Server, path: &str) -> Client {
+        let socket = connect(server, path).await.expect("let in");
         let mut client = Client {
             socket,
             next_id: 1,

@@ -26,6 +26,8 @@ pub(crate) struct Server {
     pub(crate) port: u16,
     /// Where chart programs connect, if it was asked for.
     pub(crate) nmea: Option<SocketAddr>,
+    /// Where controllers connect, if it was asked for.
+    pub(crate) steer: Option<SocketAddr>,
 }
 
 /// The program under test: the one that the environment names, or the one that cargo built with the tests.
@@ -115,7 +117,7 @@ impl Server {
             command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("it starts");
         let lines = Lines::of(child.stdout.take().expect("piped"));
         let mut links = BTreeMap::new();
-        let (mut port, mut recording, mut nmea) = (0, PathBuf::new(), None);
+        let (mut port, mut recording, mut nmea, mut steer) = (0, PathBuf::new(), None, None);
         while recording.as_os_str().is_empty() {
             let Some(line) = lines.next() else {
                 let mut why = String::new();
@@ -126,6 +128,8 @@ impl Server {
                 recording = PathBuf::from(file);
             } else if let Some((_, at)) = line.split_once("AIS over TCP on ") {
                 nmea = Some(at.parse().expect("an address"));
+            } else if let Some((_, at)) = line.split_once("of a controller over TCP on ") {
+                steer = Some(at.parse().expect("an address"));
             } else if let Some((role, url)) = line.split_once("  http://") {
                 let (host, path) = url.split_once('/').expect("a path");
                 port = host.rsplit(':').next().and_then(|p| p.parse().ok()).expect("a port");
@@ -141,7 +145,7 @@ impl Server {
                 *heard.lock().expect("no panic") += &(line + "\n");
             }
         });
-        Server { child, folder, recording, links, said, port, nmea }
+        Server { child, folder, recording, links, said, port, nmea, steer }
     }
 
     /// The link of a role, as a path.

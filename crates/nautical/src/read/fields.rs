@@ -43,6 +43,41 @@ pub fn body_of(line: &str) -> Result<(&str, &str), SentenceFault> {
     if own == sum { Ok((before, body)) } else { Err(SentenceFault::WrongSum) }
 }
 
+/// The fields of a sentence behind its kind.
+pub(super) struct Fields<'a>(Vec<&'a str>);
+
+impl<'a> Fields<'a> {
+    /// The kind of a sentence, without the two characters of its talker, and its fields. `body` is the sentence as
+    /// [`body_of`] returns it.
+    pub(super) fn of(body: &'a str) -> (&'a str, Fields<'a>) {
+        let mut fields = body.split(',');
+        let kind = fields.next().and_then(|first| first.get(2..)).unwrap_or_default();
+        (kind, Fields(fields.collect()))
+    }
+
+    pub(super) fn at(&self, index: usize) -> &'a str {
+        self.0.get(index).copied().unwrap_or_default()
+    }
+
+    /// A number; `None` for an empty field.
+    pub(super) fn number(
+        &self,
+        index: usize,
+        name: &'static str,
+    ) -> Result<Option<f64>, SentenceFault> {
+        match self.at(index) {
+            "" => Ok(None),
+            text => number(text, name).map(Some),
+        }
+    }
+}
+
+/// A finite number.
+pub(super) fn number(text: &str, name: &'static str) -> Result<f64, SentenceFault> {
+    let value = text.parse::<f64>().ok().filter(|value| value.is_finite());
+    value.ok_or(SentenceFault::Field(name))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,6 +1,6 @@
-//! Fields of NMEA 0183 sentences.
+//! Sentences of instruments.
 
-use super::fields::SentenceFault;
+use super::fields::{Fields, SentenceFault, number};
 use crate::NAUTICAL_MILE_M;
 use crate::chart::GeoPoint;
 
@@ -46,10 +46,7 @@ pub enum Reading {
 /// # Errors
 /// Names a field that does not hold what the format says.
 pub fn reading(body: &str) -> Result<Reading, SentenceFault> {
-    let fields: Vec<&str> = body.split(',').collect();
-    // Two characters of the talker, three of the kind.
-    let kind = fields[0].get(2..).unwrap_or_default();
-    let fields = Fields(&fields[1..]);
+    let (kind, fields) = Fields::of(body);
     match kind {
         "GGA" => gga(&fields).map(Reading::Position),
         "RMC" => rmc(&fields).map(Reading::Position),
@@ -71,27 +68,6 @@ pub fn reading(body: &str) -> Result<Reading, SentenceFault> {
         }
         _ => Ok(Reading::Other),
     }
-}
-
-struct Fields<'a>(&'a [&'a str]);
-
-impl<'a> Fields<'a> {
-    fn at(&self, index: usize) -> &'a str {
-        self.0.get(index).copied().unwrap_or_default()
-    }
-
-    /// A number; `None` for an empty field.
-    fn number(&self, index: usize, name: &'static str) -> Result<Option<f64>, SentenceFault> {
-        match self.at(index) {
-            "" => Ok(None),
-            text => number(text, name).map(Some),
-        }
-    }
-}
-
-fn number(text: &str, name: &'static str) -> Result<f64, SentenceFault> {
-    let value = text.parse::<f64>().ok().filter(|value| value.is_finite());
-    value.ok_or(SentenceFault::Field(name))
 }
 
 fn gga(fields: &Fields<'_>) -> Result<Option<Fix>, SentenceFault> {

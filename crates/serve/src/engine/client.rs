@@ -5,12 +5,13 @@ use std::time::Instant;
 use fenderline_live::message::Role;
 use tokio::sync::{mpsc, watch};
 
-use crate::hub::Text;
+use crate::hub::{Kind, Text};
 use crate::rate::Bucket;
 
 /// A connected client.
 pub(super) struct Client {
     pub(super) role: Role,
+    pub(super) kind: Kind,
     /// The client's role and number, as notices name the client.
     pub(super) label: String,
     /// The secret of the client's page, which the page keeps when the page is reloaded. The secret is `None` until the
@@ -24,4 +25,11 @@ pub(super) struct Client {
     pub(super) trials: Bucket,
     /// Time at which the client last asked for the session's past.
     pub(super) asked: Option<Instant>,
+}
+
+impl Client {
+    /// True if the client is a program, from which people take controls.
+    pub(super) fn is_program(&self) -> bool {
+        self.kind != Kind::Page
+    }
 }

@@ -12,7 +12,7 @@ use super::Engine;
 use super::client::Client;
 use super::trials::Trials;
 use crate::claims::{ClientId, Seat};
-use crate::hub::Text;
+use crate::hub::{Kind, Text};
 use crate::permit;
 use crate::role_words::role_words;
 
@@ -41,19 +41,21 @@ impl Engine {
     pub(super) fn join(
         &mut self,
         client: ClientId,
-        role: Role,
+        (role, kind): (Role, Kind),
         hello: watch::Sender<Option<Text>>,
         out: mpsc::Sender<Text>,
     ) {
-        let label = format!("{} {client}", role_words(&role));
+        let label = label(&role, kind, client);
         let now = Instant::now();
         if role != Role::Observer || self.crowd.may_tell(now) {
             self.notify_all(&format!("{label} has joined"));
         }
         let trials = Trials::bucket(now);
         let is_instructor = role == Role::Instructor;
-        self.clients
-            .insert(client, Client { role, label, seat: None, hello, out, trials, asked: None });
+        self.clients.insert(
+            client,
+            Client { role, kind, label, seat: None, hello, out, trials, asked: None },
+        );
         self.greet(client);
         if is_instructor {
             self.tell_planned_to(client);
@@ -96,21 +98,13 @@ impl Engine {
     pub(super) fn leave(&mut self, client: ClientId) {
         let Some(gone) = self.clients.remove(&client) else { return };
         self.trials.leave(client);
-        let seat = gone.seat.map(|key| Seat { role: gone.role.clone(), key });
+        let seat = gone.seat.clone().map(|key| Seat { role: gone.role.clone(), key });
         let vacated = self.claims.gone(client, seat.as_ref());
-        let names: Vec<&str> = vacated
-            .iter()
-            .map(|control| match control {
-                Control::Vessel(name) | Control::Tug(name) => name.as_str(),
-                Control::Session(_) => "the session",
-            })
-            .collect();
-        let mut text = format!("{} has left", gone.label);
-        if !names.is_empty() {
-            text += &format!("; the orders of {} stay as they are", names.join(", "));
-        }
-        if gone.role != Role::Observer || self.crowd.may_tell(Instant::now()) {
-            self.notify_all(&text);
+        let text = format!("{} has left", gone.label);
+        if gone.is_program() && !vacated.is_empty() {
+            self.tell_all_left(&text, &vacated);
+        } else if gone.role != Role::Observer || self.crowd.may_tell(Instant::now()) {
+            self.notify_all(&left(&text, &vacated));
         }
         if !vacated.is_empty() {
             self.greet_all();
@@ -177,6 +171,13 @@ impl Engine {
         of.hello.send_replace(Some(message::text(&hello).into()));
     }
 
+    /// Tells all clients that a program has no controls any more, by a notice and by an event in the log of the pages.
+    pub(super) fn tell_all_left(&mut self, why: &str, controls: &[Control]) {
+        let text = left(why, controls);
+        self.notify_all(&text);
+        self.events.add(self.session.simulation().time_s(), text);
+    }
+
     /// Sends a notice to all clients.
     pub(super) fn notify_all(&self, text: &str) {
         let text: Text = message::text(&Reply::Notice { text: text.to_owned() }).into();
@@ -191,5 +192,27 @@ impl Engine {
         if let Some(client) = self.clients.get(&client) {
             let _ = client.out.try_send(message::text(answer).into());
         }
+    }
+}
+
+/// The label of a client that has not given a name.
+fn label(role: &Role, kind: Kind, client: ClientId) -> String {
+    match kind {
+        Kind::Page => format!("{} {client}", role_words(role)),
+        Kind::Program => format!("{} {client} (program)", role_words(role)),
+        Kind::Nmea => format!("NMEA controller {client}"),
+    }
+}
+
+/// A text that says why somebody has left controls, and that the orders of these controls stand.
+fn left(why: &str, controls: &[Control]) -> String {
+    let name = |control: &Control| match control {
+        Control::Vessel(name) | Control::Tug(name) => name.clone(),
+        Control::Session(_) => "the session".to_owned(),
+    };
+    let names: Vec<String> = controls.iter().map(name).collect();
+    match names.as_slice() {
+        [] => why.to_owned(),
+        names => format!("{why}; the orders of {} stay as they are", names.join(", ")),
     }
 }

@@ -7,9 +7,11 @@ use fenderline_live::message::{Reply, Role};
 use fenderline_live::{Action, COMMAND_LIMITS, Conduct, Control, OtherAction, Refusal, Request};
 
 use super::Engine;
+use super::client::Client;
 use super::clock::unix_ms;
 use crate::claims::ClientId;
 use crate::file_change::Wish;
+use crate::hub::Kind;
 use crate::opening::{Requester, Work};
 use crate::permit::{self, Needs};
 
@@ -30,7 +32,7 @@ impl Engine {
         request: Result<Request, Refusal>,
     ) {
         let Some(from) = self.clients.get(&client) else { return };
-        let role = from.role.clone();
+        let (role, is_nmea) = (from.role.clone(), from.kind == Kind::Nmea);
         let requester = Requester { client, label: from.label.clone(), id };
         let label = requester.label.clone();
         let done = request.and_then(|request| match request {
@@ -48,7 +50,10 @@ impl Engine {
             (Ok(_), _) => return,
             (Err(refusal), id) => {
                 let reason = refusal.to_string();
-                self.hub.log.refused(&format!("refused {label}: {reason}"));
+                // The task of a controller logs what is refused, together with what it drops.
+                if !is_nmea {
+                    self.hub.log.refused(&format!("refused {label}: {reason}"));
+                }
                 Reply::Refused { id, reason }
             }
         };
@@ -80,22 +85,33 @@ impl Engine {
         let needs = permit::for_action(role, action, self.session.cast())?;
         if let Needs::Helm(control) | Needs::NobodyAt(control) = &needs {
             self.claims.may_use(control, client)?;
+            if self.clients.get(&client).is_some_and(|of| of.kind == Kind::Nmea) {
+                self.claims.is_free(control, client)?;
+            }
         }
         Ok(needs)
+    }
+
+    fn is_program(&self, client: ClientId) -> bool {
+        self.clients.get(&client).is_some_and(Client::is_program)
     }
 
     /// Gives a client the helms that the commands of the client take.
     fn take_helms(&mut self, needs: &[Needs], of: (ClientId, &str)) -> Result<(), Refusal> {
         let mut taken = false;
+        let is_program = self.is_program(of.0);
         for needs in needs {
             if let Needs::Helm(control) = needs
                 && !self.claims.holds(control, of.0)
             {
-                self.claims.take(control.clone(), of, false)?;
+                self.claims.take(control.clone(), (of.0, of.1, is_program), false)?;
                 taken = true;
             }
         }
         if taken {
+            if is_program {
+                self.notify_all(&format!("{} has the helm", of.1));
+            }
             self.greet_all();
         }
         Ok(())
@@ -277,9 +293,11 @@ impl Engine {
         if !permit::may_claim(role, &control, cast) {
             return Err(Refusal::new("your link does not open this control"));
         }
-        let by_force = *role == Role::Instructor;
+        let is_program = self.is_program(client);
+        let from_program = self.claims.is_held_by_program(&control) && !is_program;
+        let by_force = *role == Role::Instructor || from_program;
         let holder = self.claims.holder(&control);
-        let taken = self.claims.take(control, (client, label), by_force);
+        let taken = self.claims.take(control, (client, label, is_program), by_force);
         if taken.is_err()
             && let Some(holder) = holder
         {
@@ -291,6 +309,9 @@ impl Engine {
         if let Some(former) = former {
             let text = format!("{label} has taken the control from you");
             self.reply(former, &Reply::Notice { text });
+        }
+        if from_program {
+            self.notify_all(&format!("{label} has taken the control from a program"));
         }
         self.greet_all();
         Ok(())

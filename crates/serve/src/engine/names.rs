@@ -5,6 +5,7 @@ use fenderline_live::message::Role;
 use fenderline_live::{LONGEST_NAME, Refusal};
 
 use super::Engine;
+use super::client::Client;
 use crate::claims::{ClientId, Seat};
 use crate::kept_seats::SECRET_DIGITS;
 use crate::role_words::role_words;
@@ -27,9 +28,11 @@ impl Engine {
             return Err(Refusal::new(format_args!("a name has 1 to {LONGEST_NAME} characters")));
         }
         // If two people with one name have the same role, a number distinguishes them.
+        let is_program = self.clients.get(&client).is_some_and(Client::is_program);
+        let words = role_words(role) + if is_program { ", program" } else { "" };
         let numbers = (1..).map(|number| match number {
-            1 => format!("{name} ({})", role_words(role)),
-            _ => format!("{name} {number} ({})", role_words(role)),
+            1 => format!("{name} ({words})"),
+            _ => format!("{name} {number} ({words})"),
         });
         let is_taken = |label: &String| {
             self.clients.iter().any(|(id, other)| *id != client && other.label == *label)
