@@ -79,8 +79,8 @@ def test_every_method_meets_the_closed_form(file: Path) -> None:
 
 def test_a_plain_campaign_has_a_band(file: Path) -> None:
     state = reliability.LimitState(file, "often")
-    found = reliability.plain(state, runs=2000, seed=4)
-    assert found.runs == state.runs == 2000
+    found = reliability.plain(state, runs=800, seed=4)
+    assert found.runs == state.runs == 800
     assert found.low < truth(200.0)[1] < found.high
     assert found.once_in == pytest.approx(1.0 / found.probability)
     nothing = reliability.plain(reliability.LimitState(file, "never"), runs=100)
@@ -123,8 +123,8 @@ def example(root: Path) -> ModuleType:
 
 def test_the_worked_berth_in_a_small_form(example: ModuleType) -> None:
     state = reliability.LimitState(example.FILE, "rated")
-    near, found = example.estimates(state, 8_000, 1)
-    assert state.runs < 8_000
+    near, found = example.estimates(state, 6_000, 1)
+    assert state.runs < 6_000
     plain = example.kept()
     for own in found:
         if not math.isnan(own.low):
