@@ -387,12 +387,12 @@ class Client:
             if hello.get("protocol") != PROTOCOL:
                 raise ProtocolError(int(hello.get("protocol", 0)), PROTOCOL)
             self._greeted(hello)
-        except library.exceptions.ConnectionClosed as closed:
-            raise _why_closed(closed) from closed
-        except TimeoutError as error:
-            raise DisconnectedError("the server does not greet") from error
-        except BaseException:
+        except BaseException as error:
             await socket.close()
+            if isinstance(error, library.exceptions.ConnectionClosed):
+                raise _why_closed(error) from error
+            if isinstance(error, TimeoutError):
+                raise DisconnectedError("the server does not greet") from error
             raise
         self._socket = socket
 
@@ -423,7 +423,8 @@ class Client:
                 why = error
             except (ValueError, KeyError, TypeError) as error:
                 why = LiveError(f"the server sent what is not understood: {error!r}")
-            self._socket = None
+            broken, self._socket = self._socket, None
+            await broken.close()
             self._answer_all(DisconnectedError("the connection broke before an answer came"))
             if type(why) is not DisconnectedError or not await self._again(why):
                 await self._fail(why)
