@@ -65,6 +65,8 @@ afterAll(async () => {
 
 /** Opens the view in the plan's place. */
 async function looks(page: Page): Promise<void> {
+  // A browser that draws several views on the processor answers late.
+  page.setDefaultTimeout(120_000);
   await page.bringToFront();
   await page.getByRole("button", { name: "View out of the window" }).click();
   await page.getByRole("img", { name: /^View / }).waitFor({ timeout: 60_000 });
