@@ -119,7 +119,7 @@ class Frame:
         self.raw = raw
         """The message ``frame`` of the protocol."""
         self.reconnected = reconnected
-        """True for the first frame after the connection was lost and came back."""
+        """True for the first frame that the client gives after the connection was lost and came back."""
         self._hello = hello
         self._own = own
 

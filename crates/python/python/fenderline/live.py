@@ -471,7 +471,9 @@ class Client:
         match message["type"]:
             case "frame":
                 own = self._named_vessel or _own_vessel(self._hello)
-                frame = Frame(self._hello, message, own, self._reconnected)
+                # A frame that nobody has read yet hands its mark on to the frame that takes its place.
+                skipped = self._frame is not self._given and self._frame is not None and self._frame.reconnected
+                frame = Frame(self._hello, message, own, self._reconnected or skipped)
                 self._reconnected = False
                 async with self._changed:
                     self._frame = frame
