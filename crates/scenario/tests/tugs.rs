@@ -204,13 +204,9 @@ fn a_tug_keeps_her_place_beside_a_ship_under_way() {
     assert!((tug.heading_rad - ship.heading_rad).abs() < 0.02, "{tug:?}");
 }
 
-/// A bulk carrier of 180 m at 7 knots turns by 45° and slows down to 4 knots, with a tug 60 m off at each shoulder and
-/// quarter. When a tug has to slow down, her units must not turn astern through the stream: their side forces turned the
-/// tug, and she went into the ship or fell back by 100 m. Half of the 45 m between the tug's place and the ship's side
-/// is left free.
-#[test]
-fn tugs_keep_off_a_ship_that_turns_and_slows_down() {
-    let places = [[45.0, 60.0], [-84.0, 60.0], [45.0, -60.0], [-84.0, -60.0]];
+/// A bulk carrier of 180 m at 7 knots, north, with a tug 60 m off at each shoulder and quarter. From 100 s on she turns,
+/// and from 150 s on she has another speed.
+fn ship_with_four_tugs(places: &[[f64; 2]], turn_deg: f64, speed_kn: f64) -> String {
     let mut text = String::from(
         "[time]\nstep = \"0.1 s\"\nduration = \"500 s\"\n\
          [vessel.bulker]\nlength_bp = \"180 m\"\nbeam = \"30 m\"\ndraught = \"10.5 m\"\n\
@@ -227,25 +223,42 @@ fn tugs_keep_off_a_ship_that_turns_and_slows_down() {
              heading = \"0 deg\", speed = \"8 kn\" }}\n"
         );
     }
-    text += "[[order]]\nvessel = \"ship\"\nspeed = \"7 kn\"\n\
-             [[order]]\nvessel = \"ship\"\ncourse = \"0 deg\"\n\
-             [[order]]\nat = \"150 s\"\nvessel = \"ship\"\nspeed = \"4 kn\"\n";
+    for (at_s, order) in [(0, "speed = \"7 kn\"".to_owned()), (0, "course = \"0 deg\"".to_owned())]
+    {
+        text += &format!("[[order]]\nat = \"{at_s} s\"\nvessel = \"ship\"\n{order}\n");
+    }
     for i in 1..=15 {
+        let (at_s, course_deg) = (95 + 5 * i, turn_deg * f64::from(i) / 15.0);
         text += &format!(
-            "[[order]]\nat = \"{} s\"\nvessel = \"ship\"\ncourse = \"{} deg\"\n",
-            95 + 5 * i,
-            3 * i
+            "[[order]]\nat = \"{at_s} s\"\nvessel = \"ship\"\ncourse = \"{course_deg} deg\"\n"
         );
     }
-    let mut simulation = simulation(&text);
-    while !simulation.is_done() {
-        simulation.step().expect("a good step");
-        let [ship, tugs @ ..] = simulation.states() else { panic!("a ship and her tugs") };
-        for (tug, &[ahead, across]) in tugs.iter().zip(&places) {
-            let off =
-                ship.pose().apply_inverse(tug.position_m) - fenderline_contact::vec2(ahead, across);
-            let t_s = simulation.time_s();
-            assert!(off.length() < 22.5, "at {t_s} s, the tug of {ahead}, {across}: {off:?}");
+    text + &format!("[[order]]\nat = \"150 s\"\nvessel = \"ship\"\nspeed = \"{speed_kn} kn\"\n")
+}
+
+/// When a tug has to slow down, her units must not turn astern through the stream: their side forces turned the tug, and
+/// she went into the ship or fell back by 100 m. The tug's place is 45 m off the ship's side: she comes at most half of
+/// this distance nearer, and stays within her length of 32 m of the place.
+#[test]
+fn tugs_keep_off_a_ship_that_turns_and_slows_down() {
+    let places = [[45.0, 60.0], [-84.0, 60.0], [45.0, -60.0], [-84.0, -60.0]];
+    for turn_deg in [0.0, 15.0, 45.0] {
+        for speed_kn in [2.0, 3.0, 4.0, 5.0, 7.0, 9.0] {
+            let mut simulation = simulation(&ship_with_four_tugs(&places, turn_deg, speed_kn));
+            let (mut farthest_m, mut nearer_m) = (0.0_f64, 0.0_f64);
+            while !simulation.is_done() {
+                simulation.step().expect("a good step");
+                let [ship, tugs @ ..] = simulation.states() else { panic!("a ship and her tugs") };
+                for (tug, &[ahead, across]) in tugs.iter().zip(&places) {
+                    let own = ship.pose().apply_inverse(tug.position_m);
+                    farthest_m = farthest_m.max((own.x - ahead).hypot(own.y - across));
+                    nearer_m = nearer_m.max((across - own.y) * across.signum());
+                }
+            }
+            println!(
+                "turn of {turn_deg}°, {speed_kn} kn: {farthest_m:.1} m off, {nearer_m:.1} m nearer"
+            );
+            assert!(farthest_m < 32.0 && nearer_m < 22.5, "turn of {turn_deg}°, {speed_kn} kn");
         }
     }
 }

@@ -143,12 +143,12 @@ pub enum Task {
 
 /// How a tug uses her azimuth units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Handled {
+pub enum UnitUse {
     /// At rest or slow: the units push in any direction.
-    Round,
+    AnyDirection,
     /// At speed: the units push ahead and steer, like rudders.
-    Ahead,
-    /// At speed, and much too fast: the units push against each other and astern, which brakes without a moment.
+    Steering,
+    /// At speed, and much too fast: the units push against each other and astern.
     Braking,
 }
 
@@ -160,7 +160,7 @@ pub struct AssistDemand {
     /// Whether the thrusters must meet the demanded sway force.
     pub sway: Sway,
     /// How the tug uses her azimuth units.
-    pub handled: Handled,
+    pub units: UnitUse,
 }
 
 /// How much of the position error a tug corrects by steering, 0 to 1, and the change of heading with which she does so
@@ -242,19 +242,21 @@ pub fn assist(
     let yaw_nm = yaw_gain * handling.turning_moment(state, heading_rad, 0.0) - disturbance.yaw_nm
         + steady_nm;
     let surge_n = thrust_n.unwrap_or(surge_kg * stiff * error.x) - disturbance.surge_n;
-    let handled = match steers {
-        false => Handled::Round,
-        true if error.x < -BRAKES_MPS => Handled::Braking,
-        true => Handled::Ahead,
+    let units = if !steers {
+        UnitUse::AnyDirection
+    } else if error.x < -BRAKES_MPS {
+        UnitUse::Braking
+    } else {
+        UnitUse::Steering
     };
-    let surge_n = if handled == Handled::Ahead {
+    let surge_n = if units == UnitUse::Steering {
         let turning_n = yaw_nm.abs() / handling.length_m;
         greater(surge_n, greater(-LEAST_AHEAD * disturbance.surge_n, turning_n))
     } else {
         surge_n
     };
     let sway_n = sway_kg * stiff * error.y - disturbance.sway_n;
-    AssistDemand { demand: Demand { surge_n, sway_n, yaw_nm }, sway, handled }
+    AssistDemand { demand: Demand { surge_n, sway_n, yaw_nm }, sway, units }
 }
 
 /// Velocity of the tug relative to the ship while she comes alongside. The tug goes to the stand-off distance until her

@@ -8,7 +8,7 @@ mod station;
 mod thrust;
 
 pub use allocation::{LateralDevice, allocate};
-pub use assist::{AssistDemand, Handled, Handling, TOUCH_MPS, Task, assist};
+pub use assist::{AssistDemand, Handling, TOUCH_MPS, Task, UnitUse, assist};
 pub use course::{CoursePilot, SpeedPilot};
 pub use station::{Demand, Gains, StationPilot};
 pub use thrust::{Reach, Sway, ThrustDevice, ThrustShares};

@@ -8,8 +8,8 @@ use super::azimuth::{AzimuthOrder, AzimuthSetup};
 use super::line::MooringLines;
 use super::vessel::{VesselForces, VesselSetup, VesselState};
 use fenderline_ship::control::{
-    AssistDemand, Demand, Handled, Handling, LateralDevice, Reach, Sway, Task, ThrustDevice,
-    ThrustShares, assist as work,
+    AssistDemand, Demand, Handling, LateralDevice, Reach, Sway, Task, ThrustDevice, ThrustShares,
+    UnitUse, assist as work,
 };
 use fenderline_ship::hydro::{Force, Velocity, Water};
 
@@ -101,7 +101,7 @@ pub(super) fn assist(
     let disturbance = disturbance(setup, forces);
     let handling = Handling::of(abilities.inertia, ship.length_m);
     let task = pilot.task(setup.body, states, lines);
-    let AssistDemand { demand, sway, handled } =
+    let AssistDemand { demand, sway, units } =
         work(&task, &handling, state, &disturbance, pilot.order.fastest_mps, pilot.steady_nm);
     // The integral grows while the tug's bow is held at the ship's side, and decays otherwise.
     let is_held = matches!(task, Task::Push { .. }) && sway == Sway::Free;
@@ -119,11 +119,11 @@ pub(super) fn assist(
     });
     shares.devices.extend(own);
     shares.meet(&demand, sway);
-    if sway == Sway::Held || handled == Handled::Braking {
+    if sway == Sway::Held || units == UnitUse::Braking {
         shares.bias_pairs();
     }
     // A unit that steers keeps no old direction, which would be a rudder angle.
-    let idle = if handled == Handled::Ahead { 0.0 } else { IDLE };
+    let idle = if units == UnitUse::Steering { 0.0 } else { IDLE };
     let (units_n, thrusters_n) = shares.forces_n.split_at(setup.azimuths.len());
     order_azimuths(vessel, setup, units_n, idle, stream);
     for (index, (thruster, force_n)) in setup.thrusters.iter().zip(thrusters_n).enumerate() {
