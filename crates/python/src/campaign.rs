@@ -95,6 +95,13 @@ impl Campaign {
         self.runs.heads().iter().map(named).collect()
     }
 
+    /// Limits of outputs, each with name, column of the output, and value in the unit of the column.
+    #[getter]
+    fn limits(&self) -> Vec<(String, String, f64)> {
+        let limits = self.runs.limits().iter();
+        limits.map(|limit| (limit.name.clone(), limit.output.clone(), limit.value)).collect()
+    }
+
     /// A number in hexadecimal that tells campaigns apart whose rows may differ.
     #[getter]
     fn fingerprint(&self) -> String {

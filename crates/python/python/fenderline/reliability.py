@@ -18,10 +18,8 @@ from __future__ import annotations
 
 import math
 import os
-import tomllib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -92,21 +90,13 @@ class LimitState:
         self.event: Any = ot.ThresholdEvent(ot.CompositeRandomVector(self.function, ot.RandomVector(self.distribution)), ot.LessOrEqual(), 0.0)
 
     def _limit(self, name: str) -> tuple[str, float]:
-        path = self.campaign.path
-        limits = tomllib.loads(Path(path).read_text("utf-8")).get("limit", {})
+        """Column and value of a limit, the value in the unit of the column."""
+        path, limits = self.campaign.path, {each: (output, value) for each, output, value in self.campaign.limits}
         if name not in limits:
             raise ReliabilityError(f"{path}: {unknown('limit', name, limits)}")
-        output, text = limits[name]["output"], str(limits[name]["value"])
-        number, _, unit = text.partition(" ")
-        own = {head: own for head, own, _ in self.campaign.columns}[output]
-        if unit.strip() != own and not (unit == "" and own in ("", "1", "-")):
-            raise ReliabilityError(f"{path}: limit.{name}: give the value in {own or 'no unit'}, the unit of the column `{output}`, not as {text!r}")
-        try:
-            value = float(number)
-        except ValueError:
-            value = math.nan
+        output, value = limits[name]
         if not value > 0.0:
-            raise ReliabilityError(f"{path}: limit.{name}: the value must be above 0, but is {text!r}")
+            raise ReliabilityError(f"{path}: limit.{name}: the value must be above 0, but is {value:g}")
         return output, value
 
     def margins(self, scores: Floats) -> Floats:
