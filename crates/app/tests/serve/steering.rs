@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 use serde_json::{Value, json};
 use tokio::io::AsyncWriteExt as _;
 use tokio::net::TcpStream;
+use tokio::task::JoinHandle;
 use tokio::time::sleep;
 
 use super::{block_on, claim, reason, rudder};
@@ -31,6 +32,16 @@ async fn controller(server: &Server) -> TcpStream {
 
 async fn say(to: &mut TcpStream, text: &str) {
     to.write_all(text.as_bytes()).await.expect("sent");
+}
+
+/// Says a text again and again, until the task is aborted.
+fn keep_saying(mut to: TcpStream, text: String, every_ms: u64) -> JoinHandle<()> {
+    tokio::spawn(async move {
+        loop {
+            say(&mut to, &text).await;
+            sleep(Duration::from_millis(every_ms)).await;
+        }
+    })
 }
 
 /// The first frame whose vessel is as wanted.
@@ -111,12 +122,7 @@ fn a_person_takes_the_helm_from_a_controller_in_one_press_and_hands_it_back() {
         say(&mut by_nmea, &sentence("IIROR,-10.0,A,,V,B")).await;
         pilot.notice("NMEA controller").await;
         // It does not stop to talk.
-        let talking = tokio::spawn(async move {
-            loop {
-                say(&mut by_nmea, &sentence("IIROR,-10.0,A,,V,B")).await;
-                sleep(Duration::from_millis(100)).await;
-            }
-        });
+        let talking = keep_saying(by_nmea, sentence("IIROR,-10.0,A,,V,B"), 100);
         for (client, other) in [(&mut pilot, "pilot"), (&mut instructor, "instructor")] {
             let refused = client.ask(rudder(0.2)).await;
             assert!(reason(&refused).contains("take the control before"), "{other}: {refused}");
@@ -162,12 +168,7 @@ fn a_controller_that_disconnects_or_falls_silent_loses_the_helm_and_its_order_st
         say(&mut silent, &heading(80.0)).await;
         pilot.hello_with(|hello| holder(hello).starts_with("NMEA controller")).await;
         let since = Instant::now();
-        let talking = tokio::spawn(async move {
-            loop {
-                say(&mut silent, &sentence("GPGLL,4916.45,N,12311.12,W,225444,A")).await;
-                sleep(Duration::from_millis(200)).await;
-            }
-        });
+        let talking = keep_saying(silent, sentence("GPGLL,4916.45,N,12311.12,W,225444,A"), 200);
         let notice = pilot.notice("is silent").await;
         assert!(notice.contains("orders of ship stay as they are"), "{notice}");
         assert!(since.elapsed() > Duration::from_secs(9), "{:?}", since.elapsed());
@@ -277,7 +278,7 @@ fn a_flood_of_sentences_delays_no_tick_and_nobody_else() {
         let lines = server.said();
         let lines = lines.lines().filter(|line| line.contains("NMEA controller")).count();
         assert!(lines < 80, "{lines} lines of the log");
-        floods.iter().for_each(tokio::task::JoinHandle::abort);
+        floods.iter().for_each(JoinHandle::abort);
         server.stop_and_check();
     });
 }
