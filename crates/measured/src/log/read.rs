@@ -9,7 +9,7 @@ use crate::remark::Remarks;
 
 /// Reads the text of a log. `origin` gives metres from latitude and longitude; only tracks need it.
 ///
-/// The function does not fail: a log that cannot be used gives no [`Log`], and a remark with file and line that says
+/// The function does not fail: a log that cannot be used gives no [`Log`](super::Log), and a remark with file and line that says
 /// why.
 #[must_use]
 pub fn read_log(
