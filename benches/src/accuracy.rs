@@ -8,9 +8,12 @@
 use fenderline_contact::{BodyState, Material, Pose, Vec2, vec2};
 use serde_json::json;
 
-use crate::scenes::{Mass, Plan, RUBBER, block};
-use crate::table::Table;
-use crate::world::{Engine, World};
+use fenderline_bench_scenes::engine::Variant;
+use fenderline_bench_scenes::scenes::{Mass, Plan, RUBBER, block};
+use fenderline_bench_scenes::table::Table;
+use fenderline_bench_scenes::world::World;
+
+use crate::world::Engine;
 
 const STEPS_S: [f64; 5] = [0.01, 0.1, 0.5, 1.0, 2.0];
 
@@ -69,7 +72,7 @@ fn table_of<const N: usize>(
     play: impl Fn(Engine, f64) -> [f64; N],
     converge: bool,
 ) -> Vec<Figure> {
-    let converged = converge.then(|| play(Engine::Coupled, CONVERGED_S));
+    let converged = converge.then(|| play(Engine::Own(Variant::Coupled), CONVERGED_S));
     let played = Engine::ALL.map(|engine| STEPS_S.map(|step_s| play(engine, step_s)));
     let mut figures = Vec::new();
     for (which, &quantity) in quantities.iter().enumerate() {

@@ -7,7 +7,7 @@ use fenderline_scenario::Scenario;
 use fenderline_sim::Simulation;
 
 use crate::rounds::{Contender, median, nanoseconds_a_call};
-use crate::table::Table;
+use fenderline_bench_scenes::table::Table;
 
 const FILE: &str = "alongside_with_two_tugs.toml";
 const TEXT: &str = include_str!("../../scenarios/berth/alongside_with_two_tugs.toml");

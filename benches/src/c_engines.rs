@@ -3,8 +3,8 @@
 use fenderline_bench_peers::{Peer, PeerBody, PeerState};
 use fenderline_contact::{BodyState, Vec2, vec2};
 
-use crate::scenes::{Part, Plan};
-use crate::world::World;
+use fenderline_bench_scenes::scenes::{Part, Plan};
+use fenderline_bench_scenes::world::World;
 
 /// A scene in Box2D or Chipmunk.
 struct InPeer<P> {

@@ -10,7 +10,7 @@ use fenderline_campaign::{RunNumbers, Runner, Runs, make};
 use fenderline_sim::Simulation;
 
 use crate::rounds::{Contender, least, median_ratio, nanoseconds_a_call};
-use crate::table::Table;
+use fenderline_bench_scenes::table::Table;
 
 const SCENARIO: &str = include_str!("../../scenarios/berth/eight_cones_at_5_deg.toml");
 

@@ -7,7 +7,7 @@ use crate::paths::{Approach, CALLS, Path, path};
 use crate::peers::{Gjk, Overlay, Parry, ParryPath, parry_path};
 use crate::rounds::{Contender, median, median_ratio, nanoseconds_a_call};
 use crate::shapes;
-use crate::table::Table;
+use fenderline_bench_scenes::table::Table;
 
 /// For polygons that overlap a little: corners of the fender, corners of the hull, and how many times as fast as
 /// parry2d our clip must be.

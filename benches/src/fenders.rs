@@ -8,10 +8,11 @@ use fenderline_scenario::Scenario;
 use fenderline_sim::Simulation;
 
 use crate::rounds::{Contender, least, nanoseconds_a_call};
-use crate::scenes::Scene;
-use crate::step::{BURST, STEP_S, burst};
-use crate::table::Table;
 use crate::world::Engine;
+use fenderline_bench_scenes::engine::Variant;
+use fenderline_bench_scenes::play::{BURST, STEP_S, burst};
+use fenderline_bench_scenes::scenes::Scene;
+use fenderline_bench_scenes::table::Table;
 
 /// Numbers of fenders.
 const COUNTS: [usize; 3] = [100, 300, 1000];
@@ -29,8 +30,8 @@ enum What {
 }
 
 const ROWS: [(&str, What); 4] = [
-    ("engine, fenders on one quay", What::Engine(Engine::Coupled, Scene::Fenders)),
-    ("engine, each fender is a body", What::Engine(Engine::Coupled, Scene::Blocks)),
+    ("engine, fenders on one quay", What::Engine(Engine::Own(Variant::Coupled), Scene::Fenders)),
+    ("engine, each fender is a body", What::Engine(Engine::Own(Variant::Coupled), Scene::Blocks)),
     ("simulator, fenders on one quay", What::Simulator),
     ("rapier2d, each fender is a body", What::Engine(Engine::Rapier, Scene::Fenders)),
 ];

@@ -3,17 +3,19 @@
 use std::time::{Duration, Instant};
 
 use crate::rounds::{Contender, least, nanoseconds_a_call};
-use crate::scenes::{Plan, Scene};
-use crate::step::{BURST, STEP_S, burst};
-use crate::table::Table;
 use crate::world::Engine;
+use fenderline_bench_scenes::engine::Variant;
+use fenderline_bench_scenes::play::{BURST, STEP_S, burst};
+use fenderline_bench_scenes::scenes::{Plan, Scene};
+use fenderline_bench_scenes::table::Table;
 
 const COUNTS: [usize; 2] = [1_000, 10_000];
 
 /// The first step may take at most this number of times as long as a warm step.
 const MOST_RATIO: f64 = 3.0;
 
-const ENGINES: [Engine; 3] = [Engine::Coupled, Engine::Paper, Engine::Rapier];
+const ENGINES: [Engine; 3] =
+    [Engine::Own(Variant::Coupled), Engine::Own(Variant::Paper), Engine::Rapier];
 
 pub(crate) fn bench(rounds: usize) -> Table {
     let mut table = Table::new(&[

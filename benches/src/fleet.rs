@@ -12,7 +12,7 @@ use fenderline_sim::environment::wind::{MeanWind, Wind, WindProfile};
 use fenderline_sim::{Action, Order, Simulation, VesselAction};
 
 use crate::rounds::{Contender, least, nanoseconds_a_call};
-use crate::table::Table;
+use fenderline_bench_scenes::table::Table;
 
 const FILE: &str = "docking.toml";
 const TEXT: &str = include_str!("../../crates/python/python/fenderline/scenarios/docking.toml");

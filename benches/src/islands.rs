@@ -1,10 +1,11 @@
 //! Times chains of tugs and rafts of barges: one island of many floating bodies that touch, as its size grows.
 
 use crate::rounds::{Contender, least, nanoseconds_a_call};
-use crate::scenes::Scene;
-use crate::step::{BURST, STEP_S, burst};
-use crate::table::Table;
 use crate::world::Engine;
+use fenderline_bench_scenes::engine::Variant;
+use fenderline_bench_scenes::play::{BURST, STEP_S, burst};
+use fenderline_bench_scenes::scenes::Scene;
+use fenderline_bench_scenes::table::Table;
 
 /// A kind of island with rising sizes, and the times to reach.
 struct Kind {
@@ -38,7 +39,7 @@ const KINDS: [Kind; 2] = [
     },
 ];
 
-const ENGINES: [Engine; 2] = [Engine::Coupled, Engine::Rapier];
+const ENGINES: [Engine; 2] = [Engine::Own(Variant::Coupled), Engine::Rapier];
 
 pub(crate) fn bench(rounds: usize) -> Table {
     let mut table = Table::new(&[

@@ -20,7 +20,6 @@
 //! cargo run --release -p fenderline-bench -- many [--markdown] [--rounds N]
 //! cargo run --release -p fenderline-bench -- runs METHOD anew|restart N
 //! cargo run --release -p fenderline-bench -- instructions SCENE METHOD anew|steady N
-//! cargo run --release -p fenderline-bench -- callgrind
 //! ```
 #![allow(
     clippy::disallowed_methods,
@@ -31,10 +30,8 @@ mod accuracy;
 mod berth;
 #[cfg(feature = "peers")]
 mod c_engines;
-mod callgrind;
 mod campaign;
 mod clip;
-mod engine;
 mod fenders;
 mod first;
 mod fleet;
@@ -47,18 +44,16 @@ mod paths;
 mod peers;
 mod rapier;
 mod rounds;
-mod scenes;
 mod shapes;
 mod step;
-mod table;
 mod threads;
 mod world;
 
 use std::process::ExitCode;
 
-use scenes::Scene;
-use step::Play;
-use table::Style;
+use fenderline_bench_scenes::play::{self, Play};
+use fenderline_bench_scenes::scenes::Scene;
+use fenderline_bench_scenes::table::Style;
 use world::Engine;
 
 const USAGE: &str = "\
@@ -89,7 +84,6 @@ usage: fenderline-bench clip [--markdown] [--rounds N]   the overlap of two conv
        fenderline-bench instructions SCENE METHOD PLAY N
                                                          N warm steps, to be counted by a profiler; PLAY is anew
                                                          (a restart every 17 steps) or steady
-       fenderline-bench callgrind                        instructions a warm step, by valgrind
 SCENE is tug, ship, faces, fenders-100, fenders-300, fenders-1000, blocks-100, blocks-1000, pairs-1000,
 pairs-10000, chain-N, raft-N, stars-N, coast-N or combs-N; METHOD is coupled, paper, either
 with -brief, or rapier2d; with the feature `peers` also Box2D and Chipmunk;
@@ -178,9 +172,9 @@ fn run(arguments: &[&str]) -> Result<(), String> {
             let play = play.ok_or_else(|| {
                 format!("a scene plays `anew` or `steady`, nothing else\n{USAGE}")
             })?;
-            step::steps(scene, *engine, count_of(steps)?, play);
+            let mut world = engine.world(&scene.plan(), play::STEP_S);
+            play::steps(world.as_mut(), count_of(steps)?, play);
         }
-        ["callgrind"] => println!("{}", callgrind::bench()?.printed(Style::Plain)),
         _ => return Err(USAGE.to_owned()),
     }
     Ok(())

@@ -8,7 +8,7 @@ use fenderline_scenario::{Override, Scenario};
 use fenderline_sim::Simulation;
 
 use crate::rounds::{Contender, least, nanoseconds_a_call};
-use crate::table::Table;
+use fenderline_bench_scenes::table::Table;
 
 const FILE: &str = "experiment_2_4kn.toml";
 const TEXT: &str = include_str!("../../scenarios/paper/experiment_2_4kn.toml");

@@ -7,7 +7,7 @@ use fenderline_scenario::VesselLibrary;
 use fenderline_sim::hydro::{Controls, Force, Model3, Motion, Velocity, Water};
 
 use crate::rounds::{Contender, median, nanoseconds_a_call};
-use crate::table::Table;
+use fenderline_bench_scenes::table::Table;
 
 /// Steps of the ship in a round, which takes about 2 ms.
 const STEPS: usize = 10_000;

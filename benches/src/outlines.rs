@@ -5,10 +5,11 @@ use fenderline_contact::Vec2;
 
 use crate::peers::Overlay;
 use crate::rounds::{Contender, least, nanoseconds_a_call};
-use crate::scenes::{Plan, Scene};
-use crate::step::{BURST, STEP_S, burst};
-use crate::table::Table;
 use crate::world::Engine;
+use fenderline_bench_scenes::engine::Variant;
+use fenderline_bench_scenes::play::{BURST, STEP_S, burst};
+use fenderline_bench_scenes::scenes::{Plan, Scene};
+use fenderline_bench_scenes::table::Table;
 
 /// Corners of each outline.
 const SIZES: [usize; 3] = [100, 300, 1000];
@@ -25,7 +26,7 @@ const KINDS: [Kind; 3] = [
     ("a comb on a comb, tooth on tooth", Scene::Combs),
 ];
 
-const ENGINES: [Engine; 2] = [Engine::Coupled, Engine::Rapier];
+const ENGINES: [Engine; 2] = [Engine::Own(Variant::Coupled), Engine::Rapier];
 
 pub(crate) fn bench(rounds: usize) -> Table {
     let mut table = Table::new(&[

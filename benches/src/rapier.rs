@@ -6,8 +6,8 @@ use rapier2d_f64::prelude::{
     SharedShape, Vector,
 };
 
-use crate::scenes::{Part, Plan};
-use crate::world::World;
+use fenderline_bench_scenes::scenes::{Part, Plan};
+use fenderline_bench_scenes::world::World;
 
 /// A scene in rapier2d-f64.
 pub(crate) struct Rapier {

@@ -1,41 +1,13 @@
 //! Times a whole step of our engine, by both methods, against rapier2d-f64, and with the feature `peers` against Box2D
 //! and Chipmunk.
 
-use std::time::{Duration, Instant};
+use fenderline_bench_scenes::play::{BURST, Play, SETTLING, STEP_S, burst, on_clock};
+use fenderline_bench_scenes::scenes::Scene;
+use fenderline_bench_scenes::table::Table;
+use fenderline_bench_scenes::world::World;
 
 use crate::rounds::{Contender, median, median_ratio, nanoseconds_a_call};
-use crate::scenes::Scene;
-use crate::table::Table;
-use crate::world::{Engine, World};
-
-pub(crate) const STEP_S: f64 = 0.1;
-
-/// Number of steps after each restart whose time counts: in these steps the bodies come on and are pressed together,
-/// and no contact ends.
-pub(crate) const BURST: usize = 16;
-
-/// Steps of a scene that plays steadily before the clock starts.
-const SETTLING: usize = 200;
-
-/// Whether a scene is restarted all the time or goes on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Play {
-    /// The scene begins anew every 17 steps.
-    Anew,
-    /// The scene goes on without restarts, and the clock starts [`SETTLING`] steps after its start.
-    Steady,
-}
-
-impl Play {
-    pub(crate) const ALL: [Play; 2] = [Play::Anew, Play::Steady];
-
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Play::Anew => "anew",
-            Play::Steady => "steady",
-        }
-    }
-}
+use crate::world::Engine;
 
 /// A scene of the bench and the times to reach in it.
 struct Case {
@@ -235,35 +207,5 @@ impl Case {
         let reached = aims.iter().any(|&(_, reached)| reached);
         let text = aims.into_iter().map(|(text, _)| text).collect::<Vec<_>>().join(" or ");
         (text, if reached { "✓" } else { "✗" })
-    }
-}
-
-/// Restarts a world off the clock, and times the steps after the restart.
-pub(crate) fn burst(world: &mut dyn World) -> Duration {
-    world.restart();
-    on_clock(world, BURST)
-}
-
-/// So many steps.
-fn on_clock(world: &mut dyn World, steps: usize) -> Duration {
-    let start = Instant::now();
-    for _ in 0..steps {
-        world.step();
-    }
-    start.elapsed()
-}
-
-/// Takes `count` warm steps of an engine, so that a profiler can count them: `Anew` with its restarts and their
-/// copying, `Steady` after [`SETTLING`] steps.
-pub(crate) fn steps(scene: Scene, engine: Engine, count: usize, play: Play) {
-    let mut world = engine.world(&scene.plan(), STEP_S);
-    if play == Play::Steady {
-        (0..SETTLING).for_each(|_| world.step());
-    }
-    for step in 0..count {
-        if play == Play::Anew && step % BURST == 0 {
-            world.restart();
-        }
-        world.step();
     }
 }

@@ -6,12 +6,12 @@ use std::time::{Duration, Instant};
 
 use fenderline_contact::BodyState;
 
-use crate::engine::{Method, Ours};
 use crate::rounds::{Contender, least, nanoseconds_a_call};
-use crate::scenes::{Plan, Scene};
-use crate::step::{BURST, STEP_S};
-use crate::table::Table;
-use crate::world::World;
+use fenderline_bench_scenes::engine::{Method, Ours};
+use fenderline_bench_scenes::play::{BURST, STEP_S};
+use fenderline_bench_scenes::scenes::{Plan, Scene};
+use fenderline_bench_scenes::table::Table;
+use fenderline_bench_scenes::world::World;
 
 const PAIRS: usize = 10_000;
 const THREADS: [usize; 4] = [1, 2, 4, 8];

@@ -16,6 +16,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import venv
 from pathlib import Path
 
@@ -26,6 +27,7 @@ OWN = ROOT / "crates" / "python"
 def run(*command: str | Path, cwd: Path = ROOT, **environment: str) -> None:
     print("$", *command, flush=True)
     # No packages of the user, no questions by pip, no __pycache__ in the source tree.
+    began = time.monotonic()
     clean = {"PYTHONNOUSERSITE": "1", "PYTHONDONTWRITEBYTECODE": "1", "PIP_NO_INPUT": "1"}
     subprocess.run(
         [str(part) for part in command],
@@ -34,6 +36,7 @@ def run(*command: str | Path, cwd: Path = ROOT, **environment: str) -> None:
         check=True,
         stdin=subprocess.DEVNULL,
     )
+    print(f"-- {time.monotonic() - began:.0f} s", flush=True)
 
 
 def target_folder() -> Path:

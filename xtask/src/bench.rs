@@ -45,6 +45,7 @@ pub(crate) fn bench(names: &[&str]) -> ExitCode {
         let bench: &[&str] = match name {
             // Examples of crates with few dependencies, which are soon built.
             "passage" => &["--package", "fenderline-embed", "--example", "passage"],
+            "callgrind" => &["--package", "fenderline-bench-scenes"],
             "border" => &["--package", "fenderline-capi", "--example", "cost"],
             "step" => match tools::c_peers() {
                 Ok(()) => &["--package", "fenderline-bench", "--features", "peers", "--", name],

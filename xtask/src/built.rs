@@ -9,8 +9,15 @@ use crate::command::{cargo, run};
 use crate::virtual_environment::target_folder;
 
 /// The packages with tests: all but the benches and `xtask-bindgen`, whose libraries take long to build.
-pub(crate) const TESTED: [&str; 5] =
-    ["--workspace", "--exclude", "fenderline-bench", "--exclude", "xtask-bindgen"];
+pub(crate) const TESTED: [&str; 7] = [
+    "--workspace",
+    "--exclude",
+    "fenderline-bench",
+    "--exclude",
+    "fenderline-bench-scenes",
+    "--exclude",
+    "xtask-bindgen",
+];
 /// The kinds of targets that have tests in these packages. Examples are left out: with `--examples` cargo would build
 /// each example as a test, under another name.
 pub(crate) const TARGETS: [&str; 3] = ["--lib", "--bins", "--tests"];

@@ -29,6 +29,17 @@ pub(crate) struct Gated {
     pub(crate) after: &'static [&'static str],
     /// What the step uses.
     pub(crate) uses: Uses,
+    /// Whether the step goes before the others where both want a processor.
+    pub(crate) pace: Pace,
+}
+
+/// Whether somebody waits for what a step does, second by second.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Pace {
+    /// The step computes, and may be slow.
+    Any,
+    /// The step has pages that draw while a ship moves in real time: beside a compiler they would be late.
+    RealTime,
 }
 
 /// What a step uses while it runs, so that no other step may use it.
@@ -120,7 +131,7 @@ fn run_steps(steps: &[Gated]) -> Result<Vec<Ended>, String> {
             let done = ended.iter().filter(|step| step.outcome == Outcome::Good);
             let done: Vec<&str> = done.map(|step| steps[step.index].key).collect();
             let output = output(&folder, &steps[index]);
-            let child = start(&program, steps[index].key, &done.join(","), &output)?;
+            let child = start(&program, &steps[index], &done.join(","), &output)?;
             running.push(Running { index, child, began: Instant::now() });
         }
         if running.is_empty() {
@@ -202,18 +213,33 @@ fn output(folder: &Path, step: &Gated) -> PathBuf {
 }
 
 /// Starts a step in a process of its own; `done` names the steps that are done.
-fn start(program: &Path, key: &str, done: &str, output: &Path) -> Result<Child, String> {
+fn start(program: &Path, step: &Gated, done: &str, output: &Path) -> Result<Child, String> {
     let failed = |e| format!("{}: {e}", output.display());
     let file = File::create(output).map_err(failed)?;
     let errors = file.try_clone().map_err(failed)?;
-    let mut command = Command::new(program);
+    let mut command = match step.pace {
+        Pace::Any => behind_others(program),
+        Pace::RealTime => Command::new(program),
+    };
     command
-        .args(["step", key])
+        .args(["step", step.key])
         .env(built::DONE, done)
         .stdin(Stdio::null())
         .stdout(file)
         .stderr(errors);
-    command.spawn().map_err(|e| format!("{key}: {e}"))
+    command.spawn().map_err(|e| format!("{}: {e}", step.key))
+}
+
+/// A command that runs `program` with a tenth of the claim to a processor that other programs have, by Unix's `nice`.
+/// Other systems share their processors evenly.
+fn behind_others(program: &Path) -> Command {
+    if cfg!(unix) {
+        let mut nice = Command::new("nice");
+        nice.args(["-n", "10"]).arg(program);
+        nice
+    } else {
+        Command::new(program)
+    }
 }
 
 /// Processor time of all programs that this process has started and waited for (s), by Linux's `/proc`.
@@ -292,11 +318,17 @@ fn conclude(steps: &[Gated], ended: &[Ended]) -> ExitCode {
 
 #[cfg(test)]
 mod tests {
-    use super::{Gated, Uses, is_ready};
+    use super::{Gated, Pace, Uses, is_ready};
     use crate::step::{Done, Step};
 
     const fn step(key: &'static str, after: &'static [&'static str], uses: Uses) -> Gated {
-        Gated { key, step: Step { name: key, run: || Ok(Done::Good) }, after, uses }
+        Gated {
+            key,
+            step: Step { name: key, run: || Ok(Done::Good) },
+            after,
+            uses,
+            pace: Pace::Any,
+        }
     }
 
     const STEPS: [Gated; 3] = [

@@ -16,7 +16,7 @@ use crate::compare::{same_bytes, same_numbers};
 use crate::dist;
 use crate::finite_elements;
 use crate::fuzz;
-use crate::gate::{Gated, Uses, run_gated, run_one};
+use crate::gate::{Gated, Pace, Uses, run_gated, run_one};
 use crate::hosts;
 use crate::nautical;
 use crate::oldest_rust;
@@ -36,20 +36,15 @@ const RELEASE: Uses = Uses::Builds("release");
 /// The steps that begin first, because the tests in a browser take longest.
 const FIRST: [Gated; 3] = [
     gated("release", "the program as users build it", release_built, &[], RELEASE),
-    Gated { key: "pages", step: pages::CHECKED, after: &["release"], uses: Uses::Processor },
-    Gated {
-        key: "browser",
-        step: pages::DRIVEN,
-        after: &["release", "pages"],
-        uses: Uses::Processor,
-    },
+    computing("pages", pages::CHECKED, &["release"], Uses::Processor),
+    in_browser("browser", pages::DRIVEN, &["release", "pages"]),
 ];
 
 /// The steps that need only Rust, which a contributor runs.
 const OWN: [Gated; 7] = [
     gated("format", "format", format, &[], Uses::Processor),
     gated("no-std", "the contact engine is no_std with one dependency", no_std, &[], DEBUG),
-    Gated { key: "circles", step: circles::STEP, after: &[], uses: Uses::Processor },
+    computing("circles", circles::STEP, &[], Uses::Processor),
     gated("build", "all tests are built", tests_built, &[], DEBUG),
     gated("tests", "tests", tests, &["build"], Uses::Processor),
     gated("doc-tests", "examples in the documentation", doc_tests, &["build"], DEBUG),
@@ -59,17 +54,12 @@ const OWN: [Gated; 7] = [
 /// The steps that also need other tools, or that compile everything once more.
 const MORE: [Gated; 26] = [
     gated("lints", "lints", lints, &["build"], DEBUG),
-    Gated { key: "speed", step: pages::FAST, after: &["browser"], uses: Uses::Processor },
+    in_browser("speed", pages::FAST, &["browser"]),
     gated("python", "the Python package", python_package, &["release"], RELEASE),
-    Gated { key: "npm", step: browser::PACKAGE_TESTED, after: &["release"], uses: RELEASE },
-    Gated {
-        key: "page",
-        step: browser::PAGE_DRIVEN,
-        after: &["npm", "browser"],
-        uses: Uses::Processor,
-    },
+    computing("npm", browser::PACKAGE_TESTED, &["release"], RELEASE),
+    in_browser("page", browser::PAGE_DRIVEN, &["npm", "browser"]),
     gated("documentation", "documentation", documentation, &["lints"], DEBUG),
-    Gated { key: "book", step: book::STEP, after: &["release"], uses: Uses::Processor },
+    computing("book", book::STEP, &["release"], Uses::Processor),
     gated("hosts", "FMI: FMPy, libcosim, ecos and the guide", hosts::hosts, &["release"], RELEASE),
     gated(
         "scenarios",
@@ -93,11 +83,11 @@ const MORE: [Gated; 26] = [
         &[],
         Uses::Processor,
     ),
-    Gated { key: "nautical", step: nautical::STEP, after: &["build"], uses: Uses::Processor },
-    Gated { key: "workflows", step: workflows::STEP, after: &[], uses: Uses::Processor },
+    computing("nautical", nautical::STEP, &["build"], Uses::Processor),
+    computing("workflows", workflows::STEP, &[], Uses::Processor),
     gated("licences", "licences and sources of dependencies", licences, &[], Uses::Processor),
     gated("passivity", "contacts make no energy", passive, &["release"], RELEASE),
-    Gated { key: "dist", step: dist::CHEAP, after: &["release"], uses: RELEASE },
+    computing("dist", dist::CHEAP, &["release"], RELEASE),
     gated("c", "C: examples and guide", c_interface::examples, &["dist"], RELEASE),
     gated("cpp", "C++: example, guide of game loops", wrappers::cpp, &["dist"], RELEASE),
     gated("csharp", "C#: example", wrappers::csharp, &["dist"], RELEASE),
@@ -108,7 +98,7 @@ const MORE: [Gated; 26] = [
         &["dist"],
         RELEASE,
     ),
-    Gated { key: "attacks", step: attack::STEP, after: &["tests", "python"], uses: DEBUG },
+    computing("attacks", attack::STEP, &["tests", "python"], DEBUG),
     gated(
         "oldest-rust",
         "the oldest Rust that the manifest names",
@@ -124,22 +114,13 @@ const MORE: [Gated; 26] = [
         RELEASE,
     ),
     // They build the program anew, with the libraries of FMUs in it, and so come last in their folder.
-    Gated {
-        key: "alone",
-        step: alone::STEP,
-        after: &[
-            "attacks",
-            "instructions",
-            "page",
-            "speed",
-            "c-calls",
-            "hosts",
-            "passivity",
-            "python",
-        ],
-        uses: RELEASE,
-    },
-    Gated { key: "slurm", step: slurm::STEP, after: &["alone"], uses: RELEASE },
+    computing(
+        "alone",
+        alone::STEP,
+        &["attacks", "instructions", "page", "speed", "c-calls", "hosts", "passivity", "python"],
+        RELEASE,
+    ),
+    computing("slurm", slurm::STEP, &["alone"], RELEASE),
 ];
 
 const fn gated(
@@ -149,7 +130,21 @@ const fn gated(
     after: &'static [&'static str],
     uses: Uses,
 ) -> Gated {
-    Gated { key, step: Step { name, run }, after, uses }
+    computing(key, Step { name, run }, after, uses)
+}
+
+const fn computing(
+    key: &'static str,
+    step: Step,
+    after: &'static [&'static str],
+    uses: Uses,
+) -> Gated {
+    Gated { key, step, after, uses, pace: Pace::Any }
+}
+
+/// Tests in a browser.
+const fn in_browser(key: &'static str, step: Step, after: &'static [&'static str]) -> Gated {
+    Gated { key, step, after, uses: Uses::Processor, pace: Pace::RealTime }
 }
 
 /// `cargo xtask test [all | STEP...]`: without names it runs the steps that need only Rust.

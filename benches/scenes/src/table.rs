@@ -2,7 +2,7 @@
 
 /// Whether a table is printed for the terminal or in markdown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Style {
+pub enum Style {
     /// The columns are lined up by spaces.
     Plain,
     /// A markdown table.
@@ -11,14 +11,15 @@ pub(crate) enum Style {
 
 /// A table: rows of text under a head, with notes below.
 #[derive(Clone, Debug)]
-pub(crate) struct Table {
+pub struct Table {
     head: Vec<String>,
     rows: Vec<Vec<String>>,
     notes: Vec<String>,
 }
 
 impl Table {
-    pub(crate) fn new(head: &[&str]) -> Table {
+    /// A table without rows.
+    pub fn new(head: &[&str]) -> Table {
         Table {
             head: head.iter().map(|&title| title.to_owned()).collect(),
             rows: Vec::new(),
@@ -26,16 +27,19 @@ impl Table {
         }
     }
 
-    pub(crate) fn row(&mut self, cells: Vec<String>) {
+    /// Adds a row; there is a cell for every column.
+    pub fn row(&mut self, cells: Vec<String>) {
         assert_eq!(cells.len(), self.head.len(), "a row has a cell for every column");
         self.rows.push(cells);
     }
 
-    pub(crate) fn note(&mut self, text: &str) {
+    /// Adds a line below the table.
+    pub fn note(&mut self, text: &str) {
         self.notes.push(text.to_owned());
     }
 
-    pub(crate) fn printed(&self, style: Style) -> String {
+    /// The table as text.
+    pub fn printed(&self, style: Style) -> String {
         let widths: Vec<usize> = (0..self.head.len()).map(|column| self.width(column)).collect();
         let (left, between, right) = match style {
             Style::Plain => ("", "  ", ""),

@@ -4,9 +4,9 @@
 use std::io::ErrorKind;
 use std::process::Command;
 
-use crate::step::Play;
-use crate::table::Table;
-use crate::world::Engine;
+use fenderline_bench_scenes::engine::Variant;
+use fenderline_bench_scenes::play::Play;
+use fenderline_bench_scenes::table::Table;
 
 /// Name of the scene, number of contacts in the scene, and the two numbers of steps. Both are multiples of the number
 /// of counted steps between two restarts of the scene.
@@ -22,8 +22,8 @@ pub(crate) fn bench() -> Result<Table, String> {
         Table::new(&["scene", "plays", "method", "contacts", "instructions a step", "a contact"]);
     for (scene, contacts, few, many) in SCENES {
         for play in Play::ALL {
-            for engine in Engine::OURS {
-                let method = engine.name();
+            for variant in Variant::ALL {
+                let method = variant.name();
                 let counted = |steps| instructions(scene, method, play, steps);
                 let step = (counted(many)? - counted(few)?) / (many - few);
                 table.row(vec![
@@ -46,7 +46,7 @@ fn instructions(scene: &str, method: &str, play: Play, steps: u64) -> Result<u64
     let output = Command::new("valgrind")
         .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
         .arg(this)
-        .args(["instructions", scene, method, play.name(), &steps.to_string()])
+        .args(["steps", scene, method, play.name(), &steps.to_string()])
         .output()
         .map_err(|error| match error.kind() {
             ErrorKind::NotFound => {

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use fenderline_contact::{BodyState, Material, Rotation, Vec2, Wrench, vec2};
 
 /// The material of a fender of 500 kN/m² with friction, as in the paper's Table 1.
-pub(crate) const RUBBER: Material = Material {
+pub const RUBBER: Material = Material {
     stiffness_npm2: 500e3,
     damping_nspm2: 0.0,
     shear_stiffness_npm: 3e6,
@@ -21,7 +21,7 @@ const DEPTH_M: f64 = 0.02;
 
 /// What is stepped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Scene {
+pub enum Scene {
     /// A tug against one fender.
     Tug,
     /// A ship alongside eight fenders.
@@ -47,7 +47,8 @@ pub(crate) enum Scene {
 }
 
 impl Scene {
-    pub(crate) fn named(name: &str) -> Option<Scene> {
+    /// The scene with the given name on the command line.
+    pub fn named(name: &str) -> Option<Scene> {
         match name {
             "tug" => Some(Scene::Tug),
             "ship" => Some(Scene::Ship),
@@ -71,7 +72,7 @@ impl Scene {
     }
 
     /// The scene at its start, where the bodies of every contact come on slowly and a load presses them together.
-    pub(crate) fn plan(self) -> Plan {
+    pub fn plan(self) -> Plan {
         let mut plan = Plan::new(RUBBER);
         match self {
             Scene::Tug => plan.tug_at_fender(vec2(0.0, 0.0)),
@@ -98,54 +99,56 @@ impl Scene {
 
 /// One body.
 #[derive(Clone, Debug)]
-pub(crate) struct Part {
+pub struct Part {
     /// Outline of the body in the body's frame, in the positive sense (m).
-    pub(crate) outline_m: Vec<Vec2>,
+    pub outline_m: Vec<Vec2>,
     /// Mass and yaw inertia of the body; `None` for a fixed body.
-    pub(crate) mass: Option<Mass>,
-    pub(crate) state: BodyState,
+    pub mass: Option<Mass>,
+    /// The state of the body at the start.
+    pub state: BodyState,
     /// Steady load on the body at its centre of gravity.
-    pub(crate) load: Wrench,
+    pub load: Wrench,
 }
 
 /// Mass and yaw inertia of a body; the mass is the same in surge and sway, because rapier2d knows no other.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Mass {
-    pub(crate) mass_kg: f64,
-    pub(crate) yaw_inertia_kgm2: f64,
+pub struct Mass {
+    /// Mass in surge and sway (kg).
+    pub mass_kg: f64,
+    /// Inertia in yaw about the centre of gravity (kg·m²).
+    pub yaw_inertia_kgm2: f64,
 }
 
 /// All bodies of a scene, with the material of their contacts.
 #[derive(Clone, Debug)]
-pub(crate) struct Plan {
-    pub(crate) parts: Vec<Part>,
-    pub(crate) material: Material,
+pub struct Plan {
+    /// The bodies.
+    pub parts: Vec<Part>,
+    /// The material of all contacts.
+    pub material: Material,
     /// Whether any body may touch any other; otherwise each floating body may touch each fixed one, and the pairs are
     /// named one by one.
-    pub(crate) anyone: bool,
+    pub anyone: bool,
     /// Whether the fixed bodies are a row of blocks along an east quay, which our engine plays as faces of one body.
-    pub(crate) faces: bool,
+    pub faces: bool,
     /// Size of each fender block along the quay and across it (m).
-    pub(crate) fender_m: (f64, f64),
+    pub fender_m: (f64, f64),
 }
 
 impl Plan {
-    pub(crate) fn new(material: Material) -> Plan {
+    /// A scene without bodies.
+    pub fn new(material: Material) -> Plan {
         Plan { parts: Vec::new(), material, anyone: false, faces: false, fender_m: FENDER_M }
     }
 
-    pub(crate) fn fixed(&mut self, outline_m: Vec<Vec2>, position_m: Vec2, heading_rad: f64) {
+    /// Adds a fixed body (m, rad).
+    pub fn fixed(&mut self, outline_m: Vec<Vec2>, position_m: Vec2, heading_rad: f64) {
         let state = BodyState { position_m, heading_rad, ..BodyState::default() };
         self.parts.push(Part { outline_m, mass: None, state, load: Wrench::default() });
     }
 
-    pub(crate) fn floating(
-        &mut self,
-        outline_m: Vec<Vec2>,
-        mass: Mass,
-        state: BodyState,
-        force_n: Vec2,
-    ) {
+    /// Adds a floating body with a steady force on the body (m, N).
+    pub fn floating(&mut self, outline_m: Vec<Vec2>, mass: Mass, state: BodyState, force_n: Vec2) {
         let load = Wrench { force_n, moment_nm: 0.0 };
         self.parts.push(Part { outline_m, mass: Some(mass), state, load });
     }
@@ -310,7 +313,7 @@ const FENDER: [(f64, f64); 4] = [(-2.0, -0.5), (2.0, -0.5), (2.0, 0.5), (-2.0, 0
 const FENDER_M: (f64, f64) = (4.0, 1.0);
 
 /// Outline of a block about the origin, with its length along x.
-pub(crate) fn block(length_m: f64, width_m: f64) -> Vec<Vec2> {
+pub fn block(length_m: f64, width_m: f64) -> Vec<Vec2> {
     let (x, y) = (0.5 * length_m, 0.5 * width_m);
     corners(&[(-x, -y), (x, -y), (x, y), (-x, y)])
 }

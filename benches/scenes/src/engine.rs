@@ -13,15 +13,54 @@ use crate::world::World;
 
 /// The contact method by which our engine steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Method {
+pub enum Method {
     /// The contact method of Moreno et al. (2023); the host moves the bodies by forward Euler, as Moreno et al. do.
     Paper,
     /// The coupled method, which moves the bodies too.
     Coupled,
 }
 
+/// A variant of our engine; the variants differ in the time they take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Variant {
+    /// The coupled method, the default.
+    Coupled,
+    /// The coupled method without a report of each contact: only wrenches and motions, as rapier2d gives them.
+    CoupledBrief,
+    /// The paper's method, with forward Euler.
+    Paper,
+    /// The paper's method without a report of each contact.
+    PaperBrief,
+}
+
+impl Variant {
+    /// All variants.
+    pub const ALL: [Variant; 4] =
+        [Variant::Coupled, Variant::CoupledBrief, Variant::Paper, Variant::PaperBrief];
+
+    /// The name of the variant on the command line and in tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Variant::Coupled => "coupled",
+            Variant::CoupledBrief => "coupled-brief",
+            Variant::Paper => "paper",
+            Variant::PaperBrief => "paper-brief",
+        }
+    }
+
+    /// The scene `plan` in this variant, with steps of `step_s` (s).
+    pub fn world(self, plan: &Plan, step_s: f64) -> Ours {
+        match self {
+            Variant::Coupled => Ours::new(plan, Method::Coupled, step_s),
+            Variant::CoupledBrief => Ours::new(plan, Method::Coupled, step_s).brief(),
+            Variant::Paper => Ours::new(plan, Method::Paper, step_s),
+            Variant::PaperBrief => Ours::new(plan, Method::Paper, step_s).brief(),
+        }
+    }
+}
+
 /// A scene of the benches in our contact engine.
-pub(crate) struct Ours {
+pub struct Ours {
     model: Model,
     memory: Memory,
     work: Workspace,
@@ -36,7 +75,8 @@ pub(crate) struct Ours {
 }
 
 impl Ours {
-    pub(crate) fn new(plan: &Plan, method: Method, step_s: f64) -> Ours {
+    /// The scene `plan`, stepped by `method` with steps of `step_s` (s).
+    pub fn new(plan: &Plan, method: Method, step_s: f64) -> Ours {
         let (parts, fenders) =
             if plan.faces { on_one_quay(plan) } else { (plan.parts.clone(), vec![]) };
         let model = model(plan, &parts, fenders);
@@ -54,13 +94,13 @@ impl Ours {
     }
 
     /// Turns off the reports of single contacts.
-    pub(crate) fn brief(mut self) -> Ours {
+    pub fn brief(mut self) -> Ours {
         self.work.report_contacts(false);
         self
     }
 
     /// The present states of all bodies.
-    pub(crate) fn states(&self) -> &[BodyState] {
+    pub fn states(&self) -> &[BodyState] {
         &self.states
     }
 
