@@ -188,25 +188,6 @@ def test_importance_sampling_finds_a_probability_of_1e_5(speeds: campaign.Campai
     assert abs(estimate - 1e-5) < 3.0 * error
 
 
-def test_subset_simulation_finds_a_probability_of_1e_5(speeds: campaign.Campaign) -> None:
-    ot = pytest.importorskip("openturns")
-    threshold = rare(1e-5)
-    ot.RandomGenerator.SetSeed(3)
-    function, law = campaign.openturns_model(speeds, "reaction")
-    event = ot.ThresholdEvent(ot.CompositeRandomVector(function, ot.RandomVector(law)), ot.Greater(), threshold)
-    subset = ot.SubsetSampling(event)
-    subset.setMaximumOuterSampling(20)
-    subset.setBlockSize(500)
-    subset.run()
-    result = subset.getResult()
-    estimate = result.getProbabilityEstimate()
-    runs = result.getOuterSampling() * result.getBlockSize()
-    # Plain Monte Carlo needs (1 − p)/p over the square of the same variation.
-    plain = (1.0 - 1e-5) / 1e-5 / result.getCoefficientOfVariation() ** 2
-    assert runs < 0.01 * plain
-    assert abs(estimate - 1e-5) < 3.0 * result.getCoefficientOfVariation() * estimate
-
-
 def test_sobol_indices_of_a_product_of_powers(tmp_path: Path) -> None:
     """ln R = ln v + ln k / 2 + ln m / 2 would be additive; R itself is a product of lognormal powers: the first-order index of
     factor i is (exp(s_i^2) - 1)/(exp(S^2) - 1), with s_i the deviation of its logarithm and S^2 their sum."""

@@ -44,7 +44,7 @@ from fenderline._errors import CampaignError
 from fenderline._native import Campaign
 from fenderline._progress import shown
 
-__all__ = ["Campaign", "evaluate", "example_scenario", "load", "openturns_model", "read", "run", "salib_problem"]
+__all__ = ["Campaign", "evaluate", "example_scenario", "load", "read", "run", "salib_problem"]
 
 #: A part of a campaign's runs: path of its file, fingerprint, first run and the one after the last.
 Part = tuple[str, str, int, int]
@@ -151,20 +151,3 @@ def salib_problem(campaign: Campaign) -> dict[str, Any]:
     names = campaign.variables
     edge = 1e-12
     return {"num_vars": len(names), "names": names, "bounds": [[edge, 1.0 - edge]] * len(names)}
-
-
-def openturns_model(campaign: Campaign, output: str, threads: int | None = None) -> tuple[Any, Any]:
-    """The function of a campaign's output and the distribution of its inputs, for OpenTURNS: standard normal inputs, which become
-    probabilities and so the values of the variables. With them OpenTURNS' methods for rare events work as they are."""
-    import openturns
-
-    dimension = len(campaign.variables)
-
-    def outputs(sample: Any) -> NDArray[np.float64]:
-        scores = np.asarray(sample, dtype=float)
-        flat = [openturns.DistFunc.pNormal(float(score)) for score in scores.ravel()]
-        probabilities = np.clip(np.reshape(flat, scores.shape), 1e-300, 1.0 - 2.0**-53)
-        return evaluate(campaign, probabilities, [output], threads)
-
-    function = openturns.PythonFunction(dimension, 1, func_sample=outputs)
-    return function, openturns.Normal(dimension)
