@@ -31,7 +31,7 @@ import { button, h, setAttribute, setClass, setText } from "./ui/dom";
 import { TabRow } from "./ui/tab_row";
 import { Seat } from "./seat";
 import { Sound } from "./sound";
-import { clock, fixed, spoken } from "./units";
+import { clock, fixed, spoken, tugCalled } from "./units";
 import { Alarms } from "./views/alarms";
 import { Anchors } from "./views/anchors";
 import { Conditions } from "./views/conditions";
@@ -731,7 +731,7 @@ export class App implements Page {
 }
 
 const roleName = (role: Role): string => {
-  if (role.name === "tugmaster") return spoken(`Tug ${role.tug}`);
+  if (role.name === "tugmaster") return tugCalled(role.tug).replace(/^./, (c) => c.toUpperCase());
   if (role.name === "pilot" && role.vessel !== undefined) return spoken(`Pilot of ${role.vessel}`);
   return role.name.replace(/^./, (c) => c.toUpperCase());
 };

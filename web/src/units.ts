@@ -82,6 +82,10 @@ export function distance(m: number): string {
 /** A name of a scenario as it is shown. */
 export const spoken = (name: string): string => name.replaceAll("_", " ");
 
+/** A tug in a sentence: "tug forward", but not "tug tug 1". */
+export const tugCalled = (name: string): string =>
+  /\btug\b/i.test(spoken(name)) ? spoken(name) : `tug ${spoken(name)}`;
+
 /** Simulated time as h:mm:ss. */
 export function clock(t_s: number): string {
   const all = Math.max(0, Math.floor(t_s));

@@ -14,7 +14,7 @@ import type {
 import { button, choices, h, setAttribute, setClass, setText } from "../ui/dom";
 import { Ring } from "../ui/ring";
 import { Slider } from "../ui/slider";
-import { TONNE_N, fixed, percent, sided, spoken, tonnes } from "../units";
+import { TONNE_N, fixed, percent, sided, tonnes, tugCalled } from "../units";
 import { ClaimBar, type Group, type KeyAction } from "./group";
 import { VesselTug } from "./tugs";
 
@@ -39,6 +39,8 @@ export class VectorHelm implements Group {
   private readonly powers;
   private readonly state = h("output", { class: "big", "aria-label": "Force on the ship" });
   private readonly ordered = h("span", { class: "ordered" });
+  /** Why the tug obeys no order. */
+  private readonly kept = h("p", { class: "note hidden", role: "status" });
   private readonly range;
   private percent = 25;
   private order: TugNow["order"] = "stop";
@@ -53,7 +55,7 @@ export class VectorHelm implements Group {
     hello: Hello,
   ) {
     this.range = inPercent(hello.limits.tug_power);
-    this.claim = new ClaimBar(page, { tug: info.name }, spoken(info.name));
+    this.claim = new ClaimBar(page, { tug: info.name }, tugCalled(info.name));
     this.held = this.claim.held;
     this.ring = new Ring(`Direction of ${info.name}'s force on the ship`, "thrust", () => {
       this.inWords = false;
@@ -107,6 +109,7 @@ export class VectorHelm implements Group {
           { class: "note" },
           "The ring is about the ship, her bow up: the bar is the force on her, the marks are the order.",
         ),
+        this.kept,
       ),
     );
     this.keys = [
@@ -165,6 +168,13 @@ export class VectorHelm implements Group {
   tick(frame: Frame): void {
     const now = frame.tugs[this.index];
     if (!now) return;
+    const keeps = frame.vessels[this.info.vessel]?.pilot === "station";
+    setClass(this.kept, "hidden", !keeps);
+    if (keeps)
+      setText(
+        this.kept,
+        "The ship keeps her station by herself and orders her tugs. This tug obeys her master when the pilot steers by hand.",
+      );
     const changed =
       this.now?.order !== now.order ||
       this.now.order_n !== now.order_n ||
@@ -230,7 +240,7 @@ export class AzimuthHelm implements Group {
     hello: Hello,
   ) {
     const range = inPercent(limits(hello, "azimuth", "power"));
-    this.claim = new ClaimBar(page, { vessel: info.name }, spoken(info.name));
+    this.claim = new ClaimBar(page, { vessel: info.name }, tugCalled(info.name));
     this.held = this.claim.held;
     this.togetherButton = button(
       "Both together",

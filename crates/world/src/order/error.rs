@@ -376,8 +376,8 @@ impl fmt::Display for OrderError {
             ),
             OrderError::TugOfStation { ship } => write!(
                 f,
-                "the pilot that keeps `{ship}` on her station uses the ship's tugs: first steer \
-                 the ship by hand"
+                "`{ship}` keeps her station by herself and orders her tugs: the tugs obey when the \
+                 pilot steers the ship by hand"
             ),
         }
     }
