@@ -252,6 +252,74 @@ test("marks are in the picture on request: figures, path, forces and loads", asy
   expect(errors).toEqual([]);
 });
 
+/** How many pixels of the canvas a lamp's red has, and how many the blue of a mark on a line. */
+async function lit(page: Page): Promise<{ red: number; blue: number }> {
+  const png = (await canvas(page).screenshot()).toString("base64");
+  return page.evaluate(async (png) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${png}`;
+    await image.decode();
+    const area = document.createElement("canvas");
+    [area.width, area.height] = [image.width, image.height];
+    const to = area.getContext("2d");
+    if (!to) throw new Error("a browser has a canvas");
+    to.drawImage(image, 0, 0);
+    const { data } = to.getImageData(0, 0, area.width, area.height);
+    let [red, blue] = [0, 0];
+    for (let i = 0; i < data.length; i += 4) {
+      const [r = 0, g = 0, b = 0] = data.slice(i, i + 3);
+      if (r > 110 && g < 0.6 * r && b < 0.6 * r) red += 1;
+      if (b > 130 && b > g + 15 && g > r + 15) blue += 1;
+    }
+    return { red, blue };
+  }, png);
+}
+
+outsideCi("a ship hides lights and marks behind her", async () => {
+  const file = join(mkdtempSync(join(tmpdir(), "fenderline-behind-")), "behind.toml");
+  // A container ship lies across the way; behind her a tug looks this way and has a line to her.
+  const ships = [
+    'vessel = "bulk-carrier"\nposition = [0, 0]',
+    'vessel = "container-ship"\nposition = [1000, 40]\nheading = "90 deg"',
+    'vessel = "asd-tug"\nposition = [1150, 150]\nheading = "200 deg"',
+  ];
+  writeFileSync(
+    file,
+    `[time]\nstep = "0.1 s"\nduration = "1 h"\n${ships.map((ship, i) => `[body.ship_${i}]\n${ship}\n`).join("")}
+[line.towline]\nfrom = "ship_1"\nfairlead = [-60, -20]\nfairlead_height = "6 m"\nto = "ship_2"\nbollard = [12, 0]
+bollard_height = "4 m"\nrope = "hmpe"\nbreak_load = "1200 kN"\npretension = "60 kN"\n`,
+  );
+  const of = await serve([], file);
+  const { context, close } = await browse(SIZE, false, SOFTWARE_WEBGL);
+  const page = await open(context, of, "instructor", errors);
+  await page.getByRole("button", { name: "Pause (K)" }).click();
+  await look(page);
+  await page.getByRole("button", { name: /^Marks: / }).click();
+  for (
+    let i = 0;
+    i < 4 && (await page.locator("html").getAttribute("data-palette")) !== "night";
+    i++
+  )
+    await page.keyboard.press("b");
+  await redrawn(page);
+  await page.screenshot({ path: join(SHOTS, "window-behind.png") });
+  expect(await lit(page)).toEqual({ red: 0, blue: 0 });
+  expect(await page.locator(".window-labels span:visible").count()).toBe(0);
+  // From far off on the other side both are seen: the test finds what it looks for.
+  await page.locator(".window-tools").getByText("Free", { exact: true }).click();
+  await canvas(page).focus();
+  for (let i = 0; i < 9; i++) await page.keyboard.press("-");
+  for (let i = 0; i < 14; i++) await page.keyboard.press("ArrowLeft");
+  await redrawn(page);
+  await page.screenshot({ path: join(SHOTS, "window-behind-seen.png") });
+  const seen = await lit(page);
+  expect(seen.red).toBeGreaterThan(0);
+  expect(seen.blue).toBeGreaterThan(0);
+  await close();
+  await of.close();
+  expect(errors).toEqual([]);
+});
+
 test("the view follows the timeline, films, and finds the largest fender load", async () => {
   const moored = await serve([], MOORED);
   const { context, close } = await browse(SIZE, false, SOFTWARE_WEBGL);

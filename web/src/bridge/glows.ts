@@ -31,6 +31,7 @@ export class Glows {
       depthWrite: false,
       blending: AdditiveBlending,
       vertexShader: /* glsl */ `
+        #define LANTERN_M 0.7
         attribute vec4 glow;
         uniform float uHaze; uniform float uPixels;
         varying vec3 vGlow;
@@ -41,8 +42,8 @@ export class Glows {
           float through = exp(-uHaze * uHaze * away * away * 0.6);
           float near = clamp(60.0 / away, 0.0, 1.0);
           vGlow = glow.rgb * glow.a * through * (0.55 + 0.45 * near);
-          gl_Position = projectionMatrix * at;
-          gl_Position.z -= 0.0004 * gl_Position.w;
+          // Before the lantern itself, not before what hides the lantern.
+          gl_Position = projectionMatrix * vec4(at.xyz * max(0.5, 1.0 - LANTERN_M / away), 1.0);
           gl_PointSize = through < 0.01 ? 0.0 : (uPixels / 700.0) * clamp(9.0 + 420.0 / away, 9.0, 34.0);
         }`,
       fragmentShader: /* glsl */ `

@@ -25,6 +25,7 @@ import { PIECES, catenary, weightOf } from "./catenary";
 import { type Seat, seatAtBollard, seatOn } from "./eyes";
 import { Fenders, geometryOf, middleOf } from "./fenders";
 import type { Paint } from "./fittings";
+import { type Block, blocksOf, hides } from "./hidden";
 import { Glows } from "./glows";
 import { type Lamp, type LampColour, atAnchor, bearingFrom, isSeen, underWay } from "./lamps";
 import { MOST_TREES, cut, land } from "./land";
@@ -64,6 +65,8 @@ interface Ship {
   /** Index in `Hello.vessels`, or in `Hello.traffic`. */
   index: number;
   arrangement: Arrangement;
+  /** What hides words behind her. */
+  blocks: Block[];
   group: Group;
   lamps: Lamp[];
   anchored: Lamp[];
@@ -71,6 +74,8 @@ interface Ship {
 
 /** Slack below which a line counts as without tension [N]. */
 const SLACK_N = 50;
+/** How high an arrow lies above what could hide the arrow [m]. */
+const ARROW_OVER_M = 0.7;
 const LEVELS: Record<Label["level"], number> = { plain: 0, caution: 1, alarm: 2 };
 /** Half the side of the square that casts shadows [m]. */
 const SHADOW_M = 170;
@@ -90,13 +95,12 @@ export class Picture {
   private readonly sea: Sea;
   private readonly dome = sky(this.shared);
   private readonly ropes = new Ropes(this.shared);
-  private readonly strokes: Ropes;
-  private readonly paths: Ropes;
+  private readonly strokes = new Ropes(this.shared);
   private labels: Label[] = [];
   private readonly glows = new Glows(this.shared, 1024);
   private fenders: Fenders | null = null;
   private ships: Ship[] = [];
-  private tugs: { group: Group; arrangement: Arrangement; lamps: Lamp[] }[] = [];
+  private tugs: Omit<Ship, "body" | "index">[] = [];
   private bodies: (Group | null)[] = [];
   private hello: Hello | null = null;
   private origin: Pair = [0, 0];
@@ -120,9 +124,6 @@ export class Picture {
     private readonly live: Live,
     private readonly options: Options,
   ) {
-    this.strokes = new Ropes(this.shared, "through");
-    this.paths = new Ropes(this.shared, "behind");
-    this.paths.room(MOST_GHOSTS);
     this.sea = new Sea(this.shared, options.cheap);
     this.renderer = new WebGLRenderer({
       canvas,
@@ -149,7 +150,6 @@ export class Picture {
       this.direct.target,
       this.ropes.mesh,
       this.strokes.mesh,
-      this.paths.mesh,
       this.glows.points,
       this.built,
     );
@@ -163,7 +163,6 @@ export class Picture {
     this.camera.aspect = width / height;
     this.ropes.pixels(width * ratio, height * ratio);
     this.strokes.pixels(width * ratio, height * ratio);
-    this.paths.pixels(width * ratio, height * ratio);
     this.glows.scale(height * ratio);
   }
 
@@ -314,7 +313,7 @@ export class Picture {
     outline: Pair[],
     index: number,
     [steel, panes]: [Mesh["material"], Mesh["material"]],
-  ): { arrangement: Arrangement; group: Group; lamps: Lamp[]; anchored: Lamp[] } {
+  ): Omit<Ship, "body" | "index"> {
     const arrangement = arrangementOf(vessel, outline);
     const paint: Paint =
       arrangement.kind === "tug" ? TUG_PAINT : (PAINTS[index % PAINTS.length] ?? TUG_PAINT);
@@ -325,6 +324,7 @@ export class Picture {
     group.add(hull, new Mesh(geometryOf(parts.panes), panes));
     return {
       arrangement,
+      blocks: blocksOf(arrangement),
       group,
       lamps: underWay(arrangement, false),
       anchored: atAnchor(arrangement),
@@ -444,14 +444,12 @@ export class Picture {
     this.aim(look, t_s);
     // Two strokes for an arrow.
     const arrows = 2 * (frame.contacts.length + hello.tugs.length);
-    this.strokes.room(hello.lines.length + arrows);
+    this.strokes.room(hello.lines.length + arrows + MOST_GHOSTS);
     this.strokes.begin();
-    this.paths.begin();
     this.labels = [];
     this.lines(frame, hello, look.marks);
     if (look.marks) this.mark(frame, hello, look);
     this.strokes.end();
-    this.paths.end();
     this.lights(frame, t_s);
     const { x, y, z } = this.camera.position;
     this.sea.tick([x, y, z], t_s, frame.wind);
@@ -616,8 +614,11 @@ export class Picture {
       );
       // A rope of 1 MN is about 60 mm thick.
       const radius = 0.03 * Math.sqrt(info.breaking_n / 1e6);
-      this.ropes.add(points, linearOf(now.over_working ? 0xe05a2a : 0xcfc6a8), radius);
-      if (!marks || now.state !== "fast") return;
+      if (!marks || now.state !== "fast") {
+        this.ropes.add(points, linearOf(now.over_working ? 0xe05a2a : 0xcfc6a8), radius);
+        return;
+      }
+      // The mark stands in the line's place, so that what hides the line hides the mark.
       const share = now.tension_n / Math.max(1, info.working_n);
       this.stroke({ points, colour: colourOf(share), radius_m: 1.2 * radius });
       const middle = points[Math.floor(PIECES / 2)];
@@ -668,29 +669,44 @@ export class Picture {
     this.strokes.add(points, linearOf(colour), radius_m);
   }
 
+  /**
+   * How high the arrow of a push lies above the water [m]: over the deck of a quay or ship that pushes, over the mast of a tug,
+   * and over the fender, so that none of them hides the arrow.
+   */
+  private over(pusher: number, top_m: number): number {
+    const ship = this.ships.find(({ body }) => body === pusher)?.arrangement;
+    const deck_m = ship
+      ? ship.kind === "tug"
+        ? ship.mast_m
+        : ship.deck_m
+      : (this.decks[pusher] ?? QUAY_M) - this.water_m;
+    return Math.max(deck_m, top_m) + ARROW_OVER_M;
+  }
+
   /** Marks on request: the predicted path, and arrows of the forces of contacts and tugs. */
   private mark(frame: Frame, hello: Hello, look: Look): void {
     this.strokes.bright(this.light.exposure);
-    this.paths.bright(this.light.exposure);
     const path = this.live.prediction?.paths.find(({ vessel }) => vessel === look.vessel);
     const outline = hello.bodies[hello.vessels[look.vessel]?.body ?? -1]?.outline ?? [];
     if (path)
       for (const each of pathStrokes(path, outline, (at) => toPicture(this.origin, at, 0.4)))
-        this.paths.add(each.points, linearOf(each.colour), each.radius_m);
+        this.stroke(each);
     const isTug = (body: number) =>
       hello.vessels.some((vessel) => vessel.is_tug && vessel.body === body);
     for (const { bodies, fender, at_m, force_n } of frame.contacts) {
       const size_n = Math.hypot(...force_n);
       if (size_n < 500) continue;
       // The force on the ship: not on the quay, not on the tug.
-      const [first] = bodies;
+      const [first, second] = bodies;
       const onFirst = !(hello.bodies[first]?.fixed ?? true) && !isTug(first);
       const sign = onFirst ? 1 : -1;
       const info = fender === null ? undefined : hello.fenders[fender];
       const now = fender === null ? undefined : frame.fenders[fender];
       const fixed = info ? (hello.bodies[info.body]?.fixed ?? false) : false;
-      const up = info ? middleOf(info) - (fixed && !info.floating ? this.water_m : 0) : 2;
-      const at = toPicture(this.origin, at_m, up);
+      const top = info
+        ? middleOf(info) + info.height_m / 2 - (fixed && !info.floating ? this.water_m : 0)
+        : 2;
+      const at = toPicture(this.origin, at_m, this.over(onFirst ? second : first, top));
       const share = info && isTug(info.body) ? 0 : (now?.of_reaction ?? 0);
       for (const each of arrow(at, [sign * force_n[1], -sign * force_n[0]], colourOf(share)))
         this.stroke(each);
@@ -702,11 +718,20 @@ export class Picture {
       const now = frame.tugs[i];
       const on = this.bodies[hello.vessels[info.vessel]?.body ?? -1];
       if (!now || !on?.visible || now.force_n < 500) return;
-      const place = now.order === "pull" ? info.pull_at_m : info.push_at_m;
-      const at = this.worldOf(on, aboard(place, 2));
+      const pulls = now.order === "pull";
+      const body = hello.vessels[info.vessel]?.body ?? -1;
+      const mast_m = this.tugs[i]?.arrangement.mast_m ?? 0;
+      // A pull begins at the bitts; a push ends at the side, over the tug's mast.
+      const at = this.worldOf(
+        on,
+        pulls
+          ? aboard(info.pull_at_m, this.deck(body, info.pull_at_m) + ARROW_OVER_M)
+          : aboard(info.push_at_m, mast_m + ARROW_OVER_M),
+      );
       const towards = now.direction_rad - on.rotation.y;
       const vector: Pair = [Math.sin(towards) * now.force_n, -Math.cos(towards) * now.force_n];
-      for (const each of arrow(at, vector, colourOf(now.limited ? 1 : 0.5))) this.stroke(each);
+      for (const each of arrow(at, vector, colourOf(now.limited ? 1 : 0.5), pulls))
+        this.stroke(each);
       this.labels.push(tugLabel([at[0], at[1] + 1.5, at[2]], info.name, now.force_n));
     });
   }
@@ -715,7 +740,7 @@ export class Picture {
   labelled(): { x: number; y: number; text: string; level: Label["level"] }[] {
     const all = this.labels.flatMap(({ at, text, level }) => {
       const { x, y, z } = this.spot.set(...at).project(this.camera);
-      if (z > 1 || Math.abs(x) > 1 || Math.abs(y) > 1) return [];
+      if (z > 1 || Math.abs(x) > 1 || Math.abs(y) > 1 || this.isHidden(at)) return [];
       return [{ x: (x + 1) / 2, y: (1 - y) / 2, text, level }];
     });
     // Of labels that lie on each other the gravest is written.
@@ -724,6 +749,19 @@ export class Picture {
       if (shown.every(({ x, y }) => Math.abs(x - label.x) > 0.06 || Math.abs(y - label.y) > 0.045))
         shown.push(label);
     return shown;
+  }
+
+  /** Whether a ship stands between the eye and a place. */
+  private isHidden(at: Triple): boolean {
+    return [...this.ships, ...this.tugs].some(({ group, blocks }) => {
+      if (!group.visible) return false;
+      const aboard = this.inverse.copy(group.matrixWorld).invert();
+      const [eye, place] = [this.camera.position, this.spot.set(...at)].map((each): Triple => {
+        const { x, y, z } = this.eye.copy(each).applyMatrix4(aboard);
+        return [x, y, z];
+      }) as [Triple, Triple];
+      return blocks.some((block) => hides(block, eye, place));
+    });
   }
 
   private worldOf(group: Group, [x, y, z]: Triple): Triple {

@@ -1,4 +1,4 @@
-/** Mooring lines, towlines and chains as ribbons that face the eye, never thinner than a pixel. */
+/** Mooring lines, towlines, chains and marks as ribbons that face the eye, never thinner than a pixel. */
 import {
   BufferAttribute,
   BufferGeometry,
@@ -23,12 +23,7 @@ export class Ropes {
   private most = 0;
   private count = 0;
 
-  /** `mark`: marks shine by themselves; those that are `through` everything hide behind nothing. */
-  constructor(
-    sky: SkyUniforms & { uLamps: IUniform<number> },
-    mark: "through" | "behind" | null = null,
-  ) {
-    const through = mark === "through";
+  constructor(sky: SkyUniforms & { uLamps: IUniform<number> }) {
     this.room(16);
     const material = new ShaderMaterial({
       uniforms: {
@@ -37,9 +32,6 @@ export class Ropes {
         uShine: this.shine,
       },
       side: DoubleSide,
-      depthTest: !through,
-      depthWrite: !through,
-      transparent: through,
       vertexShader: /* glsl */ `
         attribute vec4 way; attribute vec4 look;
         uniform vec2 uSize;
@@ -72,10 +64,9 @@ export class Ropes {
     });
     this.mesh = new Mesh(this.geometry, material);
     this.mesh.frustumCulled = false;
-    if (through) this.mesh.renderOrder = 20;
   }
 
-  /** How bright marks are: the same on the screen at every exposure. */
+  /** Marks shine by themselves: as bright on the screen at every exposure. */
   bright(exposure: number): void {
     this.shine.value = 0.85 / exposure;
   }
