@@ -11,6 +11,9 @@ import { afterAll, beforeAll, expect, test } from "vitest";
 import { type Served, SHOTS, SOFTWARE_WEBGL, browse, open, serve } from "./browser";
 import { axe, sizes, withAxe } from "./faults";
 import { apart, signature } from "./signature";
+import type { Shown } from "../src/bridge/picture";
+import type { Frame } from "../src/protocol";
+import { force } from "../src/units";
 
 const SIZE = { width: 1280, height: 720 };
 const CAMERAS = ["Bridge", "Port", "Stb", "Bow", "Stern", "Tug", "Bollard", "Free"];
@@ -320,9 +323,50 @@ bollard_height = "4 m"\nrope = "hmpe"\nbreak_load = "1200 kN"\npretension = "60 
   expect(errors).toEqual([]);
 });
 
+/** Goes to 20 s of the run, and gives what the view shows then. */
+async function shownAt20s(page: Page): Promise<Shown> {
+  await page.getByRole("button", { name: "Rewind to the start" }).click();
+  const time = () => page.getByRole("timer").first().textContent();
+  for (const till of ["0:00:10", "0:00:20"]) {
+    await page.getByRole("button", { name: "On ten seconds" }).click();
+    await expect.poll(time).toContain(till);
+  }
+  const shown = async () =>
+    JSON.parse((await canvas(page).getAttribute("data-shown")) ?? "{}") as Partial<Shown>;
+  await expect.poll(async () => (await shown()).tick, { timeout: 60_000 }).toBe(200);
+  return (await shown()) as Shown;
+}
+
+/** What the view shows is what the frame of its tick says: her place, her heading, each fender, the loads of lines. */
+function agrees(shown: Shown, frame: Frame | undefined): void {
+  const ship = frame?.bodies[0];
+  if (!frame || !ship) throw new Error("there is no frame of the ship");
+  expect(shown.tick).toBe(frame.tick);
+  expect(Math.abs((shown.north_m ?? 0) - ship[0])).toBeLessThan(0.01);
+  expect(Math.abs((shown.east_m ?? 0) - ship[1])).toBeLessThan(0.01);
+  expect(Math.abs((shown.heading_rad ?? 0) - ship[2])).toBeLessThan(1e-4);
+  expect(shown.pressed_m.length).toBe(frame.fenders.length);
+  expect(Math.max(...frame.fenders.map(({ deflection_m }) => deflection_m))).toBeGreaterThan(0.001);
+  frame.fenders.forEach(({ deflection_m }, i) =>
+    expect(Math.abs((shown.pressed_m[i] ?? -1) - deflection_m)).toBeLessThan(0.001),
+  );
+  const fast = frame.lines.filter(({ state, tension_n }) => state === "fast" && tension_n > 1000);
+  expect(fast.length).toBeGreaterThan(3);
+  for (const { tension_n } of fast) expect(shown.labels).toContain(force(tension_n));
+}
+
 test("the view follows the timeline, films, and finds the largest fender load", async () => {
   const moored = await serve([], MOORED);
   const { context, close } = await browse(SIZE, false, SOFTWARE_WEBGL);
+  const frames = new Map<number, Frame>();
+  context.on("page", (page) =>
+    page.on("websocket", (socket) =>
+      socket.on("framereceived", ({ payload }) => {
+        const message = JSON.parse(String(payload)) as { type: string };
+        if (message.type === "frame") frames.set((message as Frame).tick, message as Frame);
+      }),
+    ),
+  );
   const page = await open(context, moored, "instructor", errors);
   await look(page);
   await page.locator(".window-tools").getByText("Free", { exact: true }).click();
@@ -357,6 +401,26 @@ test("the view follows the timeline, films, and finds the largest fender load", 
   const picture = await saved;
   expect(picture.suggestedFilename()).toMatch(/-cone.*s\.png$/);
   await picture.saveAs(join(SHOTS, "window-largest-load.png"));
+  // A recorded session shows what it recorded.
+  await page.getByRole("button", { name: /^Marks: / }).click();
+  const before = await shownAt20s(page);
+  const recorded = frames.get(200);
+  agrees(before, recorded);
+  await page.getByRole("tab", { name: "Session" }).click();
+  await page.getByLabel("Name to save under").fill("squall");
+  await page.getByRole("button", { name: "Save session" }).click();
+  frames.clear();
+  const row = page.locator(".gallery li", { hasText: "Saved as squall." });
+  await row.getByRole("button", { name: /^Open / }).click();
+  await page.getByRole("button", { name: "End this run" }).click();
+  // It opens at its end.
+  await expect.poll(() => [...frames.keys()].some((tick) => tick > 200)).toBe(true);
+  const again = await shownAt20s(page);
+  agrees(again, recorded);
+  expect({ ...again, labels: again.labels.toSorted() }).toEqual({
+    ...before,
+    labels: before.labels.toSorted(),
+  });
   await close();
   await moored.close();
   expect(errors).toEqual([]);

@@ -368,6 +368,7 @@ export class Pane {
       canvas.dataset.drawn = String(this.drawings);
       canvas.dataset.triangles = String(picture.triangles);
       canvas.dataset.interval = this.interval_ms.toFixed(1);
+      canvas.dataset.shown = JSON.stringify(picture.shown());
     }
   }
 

@@ -72,6 +72,18 @@ interface Ship {
   anchored: Lamp[];
 }
 
+/** What the picture shows of a frame. */
+export interface Shown {
+  tick: number;
+  north_m: number | null;
+  east_m: number | null;
+  heading_rad: number | null;
+  /** How far each fender is pressed; `null`: it is not drawn. */
+  pressed_m: (number | null)[];
+  /** The words of the marks, hidden ones too. */
+  labels: string[];
+}
+
 /** Slack below which a line counts as without tension [N]. */
 const SLACK_N = 50;
 /** How high an arrow lies above what could hide the arrow [m]. */
@@ -582,6 +594,19 @@ export class Picture {
     camera.lookAt(place(0.5 * info.projection_m, 0, middle));
     camera.fov = deg(look.view_rad ?? 0.75);
     return true;
+  }
+
+  /** What stands in the picture, read back from the picture: tests compare it with the frames. */
+  shown(): Shown {
+    const ship = this.bodies[this.live.body()];
+    return {
+      tick: this.live.frame?.tick ?? -1,
+      north_m: ship ? this.origin[0] - ship.position.z : null,
+      east_m: ship ? this.origin[1] + ship.position.x : null,
+      heading_rad: ship ? -ship.rotation.y : null,
+      pressed_m: this.fenders?.pressed() ?? [],
+      labels: this.labels.map(({ text }) => text),
+    };
   }
 
   /** Direction in which the camera looks, from north [rad], its elevation, and its vertical angle of view. */
