@@ -208,7 +208,21 @@ test("without WebGL the page says so, and the plan is back at a press", async ()
   await page.getByText("This browser draws no view").waitFor();
   await page.getByRole("button", { name: /^Plan: close the view/ }).click();
   await page.getByRole("img", { name: "Plan of ship" }).waitFor();
+  // The report says why it has no picture.
+  const moored = await serve([], MOORED);
+  const instructor = await open(context, moored, "instructor", unheard);
+  await instructor.getByRole("button", { name: "Pace 8" }).click();
+  await expect
+    .poll(() => instructor.getByRole("timer").first().textContent())
+    .toMatch(/0:00:[1-9]\d/);
+  const tab = context.waitForEvent("page");
+  await instructor.getByRole("button", { name: /^Report of the session/ }).click();
+  const report = await tab;
+  await report
+    .getByText("There is no picture of the largest fender load: this browser has no WebGL")
+    .waitFor({ timeout: 60_000 });
   await close();
+  await moored.close();
 });
 
 test("an address opens one of several windows that make a panorama", async () => {
@@ -401,6 +415,28 @@ test("the view follows the timeline, films, and finds the largest fender load", 
   const picture = await saved;
   expect(picture.suggestedFilename()).toMatch(/-cone.*s\.png$/);
   await picture.saveAs(join(SHOTS, "window-largest-load.png"));
+  // The report has the picture, and so has the file that is saved from it.
+  const tab = context.waitForEvent("page");
+  await page.getByRole("button", { name: /^Report of the session/ }).click();
+  const report = await tab;
+  const figure = report.locator("figure.view-picture");
+  await figure.locator("img").waitFor({ timeout: 60_000 });
+  expect(await figure.textContent()).toMatch(
+    /s: fender cone.*; reaction \d+ kN, \d+ % of the rated; energy .*; deflection 0\.\d\d m/,
+  );
+  const [wide] = await figure
+    .locator("img")
+    .evaluate((image: HTMLImageElement) => [image.naturalWidth]);
+  expect(wide).toBe(1120);
+  await figure.scrollIntoViewIfNeeded();
+  await report.screenshot({ path: join(SHOTS, "window-report.png") });
+  const kept = report.waitForEvent("download");
+  await report.getByRole("link", { name: "Save this report with the picture" }).click();
+  const html = readFileSync(await (await kept).path(), "utf8");
+  expect(html).toContain("<h2>Fenders</h2><figure");
+  expect(html).toContain('src="data:image/jpeg;base64,');
+  expect(html.length).toBeLessThan(1_000_000);
+  await report.close();
   // A recorded session shows what it recorded.
   await page.getByRole("button", { name: /^Marks: / }).click();
   const before = await shownAt20s(page);

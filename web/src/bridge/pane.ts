@@ -15,6 +15,7 @@ import {
   lookOf,
 } from "./look";
 import type { Picture } from "./picture";
+import { isSoftware } from "./software";
 import { fileNameOf } from "../file_name";
 import { clamp } from "../geometry";
 import type { Live } from "../live";
@@ -496,7 +497,7 @@ export class Pane {
     if (!picture || this.state !== "open") return;
     const width = Math.max(1280, Math.min(1920, 2 * canvas.clientWidth));
     const height = Math.round((width * canvas.clientHeight) / Math.max(1, canvas.clientWidth));
-    const blob = await picture.still(width, height, this.look, performance.now());
+    const blob = await pngOf(picture.still(width, height, this.look, performance.now()));
     if (!blob) {
       this.around.say("The browser made no picture of this view.");
       return;
@@ -553,7 +554,7 @@ export class Pane {
       picture.build(hello, this.live.bodies(performance.now()));
       this.built = hello;
     }
-    const blob = await picture.still(...MOMENT, this.look, performance.now());
+    const blob = await pngOf(picture.still(...MOMENT, this.look, performance.now()));
     if (blob) this.keep(blob, hello.fenders[fender]?.name ?? "fender", "png");
     return blob !== null;
   }
@@ -561,6 +562,9 @@ export class Pane {
 
 const median = (all: number[]): number =>
   all.toSorted((a, b) => a - b)[Math.floor(all.length / 2)] ?? 0;
+
+const pngOf = (canvas: HTMLCanvasElement): Promise<Blob | null> =>
+  new Promise((done) => canvas.toBlob(done, "image/png"));
 
 /** Whether two greetings have the same things in the picture. */
 function isSame(a: Hello, b: Hello): boolean {
@@ -595,13 +599,4 @@ function isSame(a: Hello, b: Hello): boolean {
       daylight,
     ]);
   return of(a) === of(b);
-}
-
-/** Whether WebGL is computed by the processor. */
-function isSoftware(): boolean {
-  const gl = document.createElement("canvas").getContext("webgl2");
-  const info = gl?.getExtension("WEBGL_debug_renderer_info");
-  const name = gl && info ? String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL)) : "";
-  gl?.getExtension("WEBGL_lose_context")?.loseContext();
-  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }

@@ -190,7 +190,7 @@ export class Picture {
   /**
    * A picture of what the eye sees, with all detail: drawn at twice its size, so that edges are smooth, and with shadows.
    */
-  async still(width: number, height: number, look: Look, now_ms: number): Promise<Blob | null> {
+  still(width: number, height: number, look: Look, now_ms: number): HTMLCanvasElement {
     const { renderer, direct } = this;
     const [ratio, casts] = [renderer.getPixelRatio(), direct.castShadow];
     const { width: before, height: tall } = renderer.getSize(new Vector2());
@@ -206,7 +206,14 @@ export class Picture {
     to?.drawImage(renderer.domElement, 0, 0, width, height);
     direct.castShadow = casts;
     this.resize(before, tall, ratio);
-    return new Promise((done) => small.toBlob(done, "image/png"));
+    return small;
+  }
+
+  /** Gives the graphics back; nothing is drawn after. */
+  dispose(): void {
+    this.clear();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
   }
 
   // --------------------------------------------------------------------------------------------------- building
@@ -582,7 +589,7 @@ export class Picture {
     const on = info && this.bodies[info.body];
     if (!info || !on) return false;
     const middle = middleOf(info);
-    const far = 5 + 3 * info.width_m;
+    const far = 4 + 2.2 * info.width_m;
     const place = (out: number, along: number, up: number) => {
       const [f, s] = turned(info.facing_rad, [out, along]);
       return new Vector3(...aboard([info.at_m[0] + f, info.at_m[1] + s], up)).applyMatrix4(
@@ -590,9 +597,10 @@ export class Picture {
       );
     };
     const { camera } = this;
-    camera.position.copy(place(0.3 * info.projection_m, -far, middle + 0.55 * far));
-    camera.lookAt(place(0.5 * info.projection_m, 0, middle));
-    camera.fov = deg(look.view_rad ?? 0.75);
+    camera.position.copy(place(0.2 * info.projection_m, -far, middle + 0.45 * far));
+    // Beyond the fender, so that the horizon is in the picture.
+    camera.lookAt(place(0.4 * info.projection_m, 0.7 * far, middle + 0.2));
+    camera.fov = deg(look.view_rad ?? 0.8);
     return true;
   }
 
