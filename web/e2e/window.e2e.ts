@@ -6,11 +6,12 @@
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { cpus, loadavg, tmpdir } from "node:os";
 import { join } from "node:path";
-import type { Page } from "playwright-core";
+import type { BrowserContext, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { type Served, SHOTS, SOFTWARE_WEBGL, browse, open, serve } from "./browser";
 import { axe, sizes, withAxe } from "./faults";
 import { apart, signature } from "./signature";
+import type { Head } from "../src/bridge/headset";
 import type { Shown } from "../src/bridge/picture";
 import type { Frame } from "../src/protocol";
 import { force } from "../src/units";
@@ -252,6 +253,8 @@ test("marks are in the picture on request: figures, path, forces and loads", asy
   await look(page);
   const figures = page.locator(".window-figures");
   expect(await figures.isVisible()).toBe(false);
+  // This browser has no headset.
+  expect(await page.getByRole("button", { name: /^Headset: / }).isVisible()).toBe(false);
   await page.getByRole("button", { name: /^Marks: / }).click();
   await expect.poll(() => figures.textContent()).toMatch(/^\d{3}\.\d°, .* kn ahead/);
   // She is on her way to the berth: its distances are in the picture.
@@ -369,9 +372,68 @@ function agrees(shown: Shown, frame: Frame | undefined): void {
   for (const { tension_n } of fast) expect(shown.labels).toContain(force(tension_n));
 }
 
+/** Meta's emulator of headsets in place of the browser's WebXR. */
+async function withHeadset(context: BrowserContext): Promise<void> {
+  await context.addInitScript({
+    path: new URL("../node_modules/iwer/build/iwer.min.js", import.meta.url).pathname,
+  });
+  await context.addInitScript(() => {
+    const { IWER } = window as unknown as { IWER: typeof import("iwer") };
+    const device = new IWER.XRDevice(IWER.metaQuest3);
+    device.installRuntime({ forceInstall: true });
+    Object.assign(window, { device });
+  });
+}
+
+/** In a headset: the head begins at the eye's place, a metre is a metre, and turning the head turns the view. */
+async function wear(page: Page): Promise<void> {
+  const head = async () =>
+    JSON.parse((await canvas(page).getAttribute("data-head")) ?? "null") as Head | null;
+  const shown = async () =>
+    JSON.parse((await canvas(page).getAttribute("data-shown")) ?? "{}") as Shown;
+  const off = (a: readonly number[], b: readonly number[]) =>
+    Math.hypot(...a.map((v, i) => v - (b[i] ?? 0)));
+  await page.locator(".window-tools").getByText("Bridge", { exact: true }).click();
+  await redrawn(page);
+  const { eye } = await shown();
+  const button = page.getByRole("button", { name: /^Headset: / });
+  await button.click();
+  await expect.poll(() => button.getAttribute("aria-pressed")).toBe("true");
+  await expect.poll(async () => off((await head())?.at ?? [0, 0, 0], eye)).toBeLessThan(0.01);
+  const before = await head();
+  if (!before) throw new Error("the headset has drawn");
+  await page.evaluate(() => {
+    const { device } = window as unknown as { device: import("iwer").XRDevice };
+    device.position.x += 0.5;
+    // A quarter turn to port.
+    device.quaternion.set(0, Math.SQRT1_2, 0, Math.SQRT1_2);
+  });
+  await expect
+    .poll(async () => off((await head())?.at ?? [0, 0, 0], before.at))
+    .toBeCloseTo(0.5, 2);
+  const after = await head();
+  // To port of north is west, along −x.
+  const [x, , z] = before.ahead;
+  expect(off(after?.ahead ?? [], [z, 0, -x])).toBeLessThan(0.05);
+  // The emulator lays the picture over the page, and leaves the picture there.
+  const press = () => button.evaluate((each) => (each as HTMLElement).click());
+  await press();
+  await expect.poll(() => button.getAttribute("aria-pressed")).toBe("false");
+  await redrawn(page);
+  expect(off((await shown()).eye, eye)).toBeLessThan(0.01);
+  // A headset that does not start is said in words.
+  await page.evaluate(() => {
+    const { xr } = navigator as unknown as { xr: { requestSession: unknown } };
+    xr.requestSession = () => Promise.reject(new DOMException("", "NotSupportedError"));
+  });
+  await press();
+  await page.getByText("The headset did not start: the browser found no headset").waitFor();
+}
+
 test("the view follows the timeline, films, and finds the largest fender load", async () => {
   const moored = await serve([], MOORED);
   const { context, close } = await browse(SIZE, false, SOFTWARE_WEBGL);
+  await withHeadset(context);
   const frames = new Map<number, Frame>();
   context.on("page", (page) =>
     page.on("websocket", (socket) =>
@@ -457,6 +519,7 @@ test("the view follows the timeline, films, and finds the largest fender load", 
     ...before,
     labels: before.labels.toSorted(),
   });
+  if (!process.env.CI) await wear(page);
   await close();
   await moored.close();
   expect(errors).toEqual([]);

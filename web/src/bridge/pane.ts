@@ -16,6 +16,7 @@ import {
 } from "./look";
 import type { Picture } from "./picture";
 import { isSoftware } from "./software";
+import { hasHeadset, whyNot } from "./xr";
 import { fileNameOf } from "../file_name";
 import { clamp } from "../geometry";
 import type { Live } from "../live";
@@ -76,6 +77,11 @@ export class Pane {
   private readonly filmButton = button("Film", () => void this.roll(), {
     name: "Film: record this view into a file, until pressed again",
     "aria-pressed": "false",
+  });
+  private readonly headsetButton = button("Headset", () => void this.wear(), {
+    name: "Headset: look around in a headset from this place, until pressed again",
+    "aria-pressed": "false",
+    class: "hidden",
   });
   private readonly eyes: [Eye, HTMLButtonElement][];
   private readonly bothButton = button("Both", () => this.both(), {
@@ -143,6 +149,7 @@ export class Pane {
         this.marksButton,
         button("Picture", () => void this.save(), { name: "Picture: save this view" }),
         this.filmButton,
+        this.headsetButton,
         this.bothButton,
         button("Plan", () => this.around.share("plan"), { name: "Plan: close the view (,)" }),
       ),
@@ -180,6 +187,7 @@ export class Pane {
       this.picture.palette(this.palette);
       this.state = "open";
       this.tell("");
+      setClass(this.headsetButton, "hidden", !(await hasHeadset(navigator.xr)));
     } catch (error) {
       this.state = "failed";
       this.tell(
@@ -326,6 +334,8 @@ export class Pane {
     const { canvas, picture } = this;
     const [width, height] = [canvas.clientWidth, canvas.clientHeight];
     const { hello, frame } = this.live;
+    // A headset has its own turns.
+    if (picture?.headset.runs) return;
     if (!picture || this.state !== "open" || !hello || !frame || width === 0 || height === 0) {
       this.drawn_ms = 0;
       return;
@@ -347,15 +357,7 @@ export class Pane {
       canvas.dataset.sized = sized;
       picture.resize(width, height, ratio);
     }
-    if (this.built !== hello) {
-      // Claims of helms come with a new greeting of the same scenario.
-      if (!this.built || !isSame(this.built, hello)) {
-        picture.build(hello, this.live.bodies(now_ms));
-        if (this.look.eye !== "tug") this.look.vessel = this.live.conned();
-        this.mark();
-      }
-      this.built = hello;
-    }
+    this.rebuild(picture, hello, now_ms);
     picture.draw(now_ms, this.look);
     this.drawings += 1;
     if (this.look.marks) this.drawLabels();
@@ -370,6 +372,46 @@ export class Pane {
       canvas.dataset.triangles = String(picture.triangles);
       canvas.dataset.interval = this.interval_ms.toFixed(1);
       canvas.dataset.shown = JSON.stringify(picture.shown());
+    }
+  }
+
+  /** Builds the picture anew where the scenario has changed. */
+  private rebuild(picture: Picture, hello: Hello, now_ms: number): void {
+    if (this.built === hello) return;
+    // Claims of helms come with a new greeting of the same scenario.
+    if (!this.built || !isSame(this.built, hello)) {
+      picture.build(hello, this.live.bodies(now_ms));
+      if (this.look.eye !== "tug") this.look.vessel = this.live.conned();
+      this.mark();
+    }
+    this.built = hello;
+  }
+
+  /** Shows the view in a headset, or ends that. */
+  private async wear(): Promise<void> {
+    const { picture, canvas } = this;
+    if (!picture || this.state !== "open" || !navigator.xr) return;
+    const { headset } = picture;
+    if (headset.runs) {
+      await headset.stop();
+      return;
+    }
+    const draws = () => {
+      const now_ms = performance.now();
+      const { hello } = this.live;
+      if (hello) this.rebuild(picture, hello, now_ms);
+      picture.draw(now_ms, this.look);
+      // For tests.
+      canvas.dataset.head = JSON.stringify(headset.head());
+    };
+    try {
+      await headset.start(navigator.xr, draws, () => {
+        setAttribute(this.headsetButton, "aria-pressed", "false");
+        canvas.dataset.sized = "";
+      });
+      setAttribute(this.headsetButton, "aria-pressed", "true");
+    } catch (error) {
+      this.around.say(`The headset did not start: ${whyNot(error)}.`);
     }
   }
 
@@ -495,6 +537,10 @@ export class Pane {
   private async save(): Promise<void> {
     const { picture, canvas } = this;
     if (!picture || this.state !== "open") return;
+    if (picture.headset.runs) {
+      this.around.say("The headset has the view: end that first, then save a picture.");
+      return;
+    }
     const width = Math.max(1280, Math.min(1920, 2 * canvas.clientWidth));
     const height = Math.round((width * canvas.clientHeight) / Math.max(1, canvas.clientWidth));
     const blob = await pngOf(picture.still(width, height, this.look, performance.now()));
@@ -545,7 +591,7 @@ export class Pane {
     }
     const { picture } = this;
     const { hello } = this.live;
-    if (!picture || !hello) return false;
+    if (!picture || !hello || picture.headset.runs) return false;
     const { turn_rad, raise_rad, view_rad, eye } = this.look;
     if (eye !== "free") this.left.set(eye, { turn_rad, raise_rad, view_rad });
     Object.assign(this.look, { eye: "free", fender, view_rad: null, panorama_rad: null });

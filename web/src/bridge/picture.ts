@@ -25,6 +25,7 @@ import { PIECES, catenary, weightOf } from "./catenary";
 import { type Seat, seatAtBollard, seatOn } from "./eyes";
 import { Fenders, geometryOf, middleOf } from "./fenders";
 import type { Paint } from "./fittings";
+import { Headset } from "./headset";
 import { type Block, blocksOf, hides } from "./hidden";
 import { Glows } from "./glows";
 import { type Lamp, type LampColour, atAnchor, bearingFrom, isSeen, underWay } from "./lamps";
@@ -78,6 +79,8 @@ export interface Shown {
   north_m: number | null;
   east_m: number | null;
   heading_rad: number | null;
+  /** The place of the eye in the axes of the picture [m]. */
+  eye: Triple;
   /** How far each fender is pressed; `null`: it is not drawn. */
   pressed_m: (number | null)[];
   /** The words of the marks, hidden ones too. */
@@ -110,6 +113,7 @@ export class Picture {
   private readonly strokes = new Ropes(this.shared);
   private labels: Label[] = [];
   private readonly glows = new Glows(this.shared, 1024);
+  readonly headset: Headset;
   private fenders: Fenders | null = null;
   private ships: Ship[] = [];
   private tugs: Omit<Ship, "body" | "index">[] = [];
@@ -142,6 +146,7 @@ export class Picture {
       antialias: !options.cheap,
       powerPreference: "high-performance",
     });
+    this.headset = new Headset(this.renderer);
     this.renderer.toneMapping = ACESFilmicToneMapping;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
@@ -164,6 +169,7 @@ export class Picture {
       this.strokes.mesh,
       this.glows.points,
       this.built,
+      this.headset.rig,
     );
     this.camera.rotation.order = "YXZ";
   }
@@ -460,7 +466,11 @@ export class Picture {
     this.ground.position.y = -this.water_m;
     this.place(bodies, frame, share);
     this.fenders?.tick(frame.fenders, this.water_m);
-    this.aim(look, t_s);
+    if (this.headset.runs) {
+      // Level with the deck: the head looks up and down.
+      this.aim({ ...look, raise_rad: 0, panorama_rad: look.panorama_rad ?? 1 }, t_s);
+      this.headset.stand(this.camera, look.eye === "free");
+    } else this.aim(look, t_s);
     // Two strokes for an arrow.
     const arrows = 2 * (frame.contacts.length + hello.tugs.length);
     this.strokes.room(hello.lines.length + arrows + MOST_GHOSTS);
@@ -475,7 +485,7 @@ export class Picture {
     this.sea.wake(this.wakes(frame, bodies));
     this.dome.position.copy(this.camera.position);
     this.shadow(look);
-    this.renderer.render(this.scene, this.camera);
+    this.renderer.render(this.scene, this.headset.runs ? this.headset.camera : this.camera);
     this.triangles = this.renderer.info.render.triangles;
   }
 
@@ -612,6 +622,7 @@ export class Picture {
       north_m: ship ? this.origin[0] - ship.position.z : null,
       east_m: ship ? this.origin[1] + ship.position.x : null,
       heading_rad: ship ? -ship.rotation.y : null,
+      eye: this.camera.position.toArray(),
       pressed_m: this.fenders?.pressed() ?? [],
       labels: this.labels.map(({ text }) => text),
     };
