@@ -38,8 +38,8 @@ export class Glows {
         void main() {
           vec4 at = viewMatrix * vec4(position, 1.0);
           float away = max(1.0, -at.z);
-          // Seen through the haze a light loses twice the contrast of what it shines on.
-          float through = exp(-uHaze * uHaze * away * away * 0.6);
+          // As bright as an eye takes it: a light is seen somewhat farther than the visibility.
+          float through = exp(-0.6 * uHaze * away);
           float near = clamp(60.0 / away, 0.0, 1.0);
           vGlow = glow.rgb * glow.a * through * (0.55 + 0.45 * near);
           // Before the lantern itself, not before what hides the lantern.

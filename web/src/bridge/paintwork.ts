@@ -120,7 +120,7 @@ export function paintwork(shared: Shared, surface: Surface, twoSided = false): M
       )
       .replace(
         "#include <opaque_fragment>",
-        `float clear_ = exp(-uHaze * uHaze * far_ * far_);
+        `float clear_ = throughHaze(far_);
         outgoingLight = mix(hazeColour((vWorld - cameraPosition) / max(far_, 0.01)), outgoingLight, clear_);
         #include <opaque_fragment>`,
       );

@@ -444,6 +444,7 @@ export class Picture {
     this.shared.uLamps.value = light.lamps;
     this.direct.color = new Color(...direct);
     this.direct.intensity = 1;
+    this.direct.shadow.intensity = light.shadows;
     this.ambient.color = new Color(...dull(light.sky));
     this.ambient.groundColor = new Color(...light.ground);
     this.ambient.intensity = 1.5 + 0.6 * (1 - dim);

@@ -56,7 +56,7 @@ export class Ropes {
           vec3 c = vLook * light * (0.55 + 0.45 * sqrt(max(0.0, 1.0 - vSide * vSide)));
           vec3 way = vAt - cameraPosition;
           float away = length(way);
-          if (uShine <= 0.0) c = mix(hazeColour(way / max(away, 0.01)), c, exp(-uHaze * uHaze * away * away));
+          if (uShine <= 0.0) c = mix(hazeColour(way / max(away, 0.01)), c, throughHaze(away));
           gl_FragColor = vec4(c, 1.0);
           #include <tonemapping_fragment>
           #include <colorspace_fragment>
