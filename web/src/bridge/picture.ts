@@ -89,6 +89,8 @@ export interface Shown {
 
 /** Slack below which a line counts as without tension [N]. */
 const SLACK_N = 50;
+/** A line is at least 1.2 pixels wide, a mark 2. */
+const MARKS_NARROWER = 0.6;
 /** How high an arrow lies above what could hide the arrow [m]. */
 const ARROW_OVER_M = 0.7;
 const LEVELS: Record<Label["level"], number> = { plain: 0, caution: 1, alarm: 2 };
@@ -180,7 +182,9 @@ export class Picture {
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.ropes.pixels(width * ratio, height * ratio);
-    this.strokes.pixels(width * ratio, height * ratio);
+    // Marks keep their width on the screen, and in a picture that is drawn larger and made smaller.
+    const per = Math.min(1, ratio) * MARKS_NARROWER;
+    this.strokes.pixels(width * per, height * per);
     this.glows.scale(height * ratio);
   }
 
