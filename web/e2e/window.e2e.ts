@@ -288,7 +288,8 @@ async function lit(page: Page): Promise<{ red: number; blue: number }> {
     let [red, blue] = [0, 0];
     for (let i = 0; i < data.length; i += 4) {
       const [r = 0, g = 0, b = 0] = data.slice(i, i + 3);
-      if (r > 110 && g < 0.6 * r && b < 0.6 * r) red += 1;
+      // Red, or red beside the white of a masthead light; not the amber of words.
+      if (r > 110 && g < 0.8 * r && b > 0.8 * g) red += 1;
       if (b > 130 && b > g + 15 && g > r + 15) blue += 1;
     }
     return { red, blue };

@@ -44,7 +44,9 @@ export class Glows {
           vGlow = glow.rgb * glow.a * through * (0.55 + 0.45 * near);
           // Before the lantern itself, not before what hides the lantern.
           gl_Position = projectionMatrix * vec4(at.xyz * max(0.5, 1.0 - LANTERN_M / away), 1.0);
-          gl_PointSize = through < 0.01 ? 0.0 : (uPixels / 700.0) * clamp(9.0 + 420.0 / away, 9.0, 34.0);
+          // In a small picture too a light is larger than a pixel: it would fall between pixels.
+          float wide = max(5.0, (uPixels / 700.0) * clamp(9.0 + 420.0 / away, 9.0, 34.0));
+          gl_PointSize = through < 0.01 ? 0.0 : wide;
         }`,
       fragmentShader: /* glsl */ `
         varying vec3 vGlow;
