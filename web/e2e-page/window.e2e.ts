@@ -1,5 +1,5 @@
 /** The view out of the window in the page without a server, with the network gone. */
-import { mkdirSync } from "node:fs";
+import { mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { SHOTS, SOFTWARE_WEBGL } from "../e2e/browser";
@@ -34,5 +34,21 @@ test("the view opens with the network gone, beside the plan and in its place", a
   await page.screenshot({ path: join(SHOTS, "page-window.png") });
   await page.getByRole("button", { name: /^Plan: close/ }).click();
   expect(await canvas.isVisible()).toBe(false);
+  expect(errors).toEqual([]);
+});
+
+test("the report has a picture of the largest fender load, and so has the saved report", async () => {
+  const { page, errors } = at;
+  await page.getByRole("tab", { name: "Report" }).click();
+  const figure = page.frameLocator("iframe[title=Report]").locator("figure.view-picture");
+  await figure.locator("img").waitFor({ timeout: 60_000 });
+  expect(await figure.textContent()).toMatch(/ s: fender .*; reaction .*; deflection \d\.\d\d m/);
+  await figure.scrollIntoViewIfNeeded();
+  await page.screenshot({ path: join(SHOTS, "page-report-picture.png") });
+  const saved = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Save report" }).click();
+  const html = readFileSync(await (await saved).path(), "utf8");
+  expect(html).toContain("<h2>Fenders</h2><figure");
+  expect(html).toContain('src="data:image/jpeg;base64,');
   expect(errors).toEqual([]);
 });

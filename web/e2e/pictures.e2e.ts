@@ -1,13 +1,13 @@
 /**
- * Pictures of the view for looking at, for the README and for the book: cameras by day, at dusk, at night and in fog, of ships,
- * tugs and berths. `npm run pictures` writes them as JPEG into the folder of the screenshots; `ONLY=fog` makes those with the
- * word in their name.
+ * The pictures of the view in the README and in the book, for looking at too: by day, at dusk, at night and in fog, of a ship, a
+ * tug and a berth. `npm run pictures` writes all into the folder of the book's pictures, `ONLY=fog` those with the word in their
+ * name; with `SCREENSHOTS` they go into that folder.
  */
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { expect, test } from "vitest";
-import { SHOTS, SOFTWARE_WEBGL, browse, open, serve } from "./browser";
+import { SOFTWARE_WEBGL, browse, open, serve } from "./browser";
 
 interface Shot {
   name: string;
@@ -24,50 +24,24 @@ interface Shot {
   keys?: string[];
 }
 
-const LIVE = "live/harbour.toml";
+const HARBOUR = "live/harbour.toml";
+const MOORED = "live/moored_in_a_squall.toml";
+const BERTHING = "live/berthing.toml";
+const fog = (visibility: string) => [`environment.visibility="${visibility}"`];
+
 const SHOTS_OF: Shot[] = [
-  { name: "bridge-day", scenario: LIVE, camera: "Bridge", at_s: 60 },
-  { name: "tug-day", scenario: LIVE, camera: "Tug", at_s: 60, keys: ["ArrowRight", "ArrowRight"] },
-  { name: "free-day", scenario: LIVE, camera: "Free", at_s: 40 },
+  { name: "day-ship", scenario: HARBOUR, camera: "Bridge", at_s: 60 },
   {
-    name: "wing-day-marks",
-    scenario: "live/berthing.toml",
-    camera: "Stb",
-    at_s: 100,
-    marks: true,
-  },
-  {
-    name: "berth-free-marks",
-    scenario: "live/moored_in_a_squall.toml",
-    camera: "Free",
-    at_s: 90,
-    marks: true,
-  },
-  {
-    name: "berth-wing-dusk",
-    scenario: "live/moored_in_a_squall.toml",
-    camera: "Stb",
+    name: "day-tug",
+    scenario: HARBOUR,
+    camera: "Tug",
     at_s: 60,
-    palette: "dusk",
+    keys: ["ArrowRight", "ArrowRight"],
   },
+  { name: "day-berth", scenario: MOORED, camera: "Free", at_s: 90, marks: true },
   {
-    name: "berth-bollard-night",
-    scenario: "live/moored_in_a_squall.toml",
-    camera: "Bollard",
-    at_s: 30,
-    palette: "night",
-  },
-  { name: "bridge-night", scenario: LIVE, camera: "Bridge", at_s: 60, palette: "night" },
-  {
-    name: "bridge-fog",
-    scenario: LIVE,
-    set: ['environment.visibility="500 m"'],
-    camera: "Bridge",
-    at_s: 60,
-  },
-  {
-    name: "free-sunset-waves",
-    scenario: LIVE,
+    name: "dusk-ship",
+    scenario: HARBOUR,
     set: [
       'environment.start_time="2026-06-21T21:30+02:00"',
       'environment.waves={ height = "1.5 m", period = "7 s", from = "300 deg", spreading = 2, seed = 1 }',
@@ -75,27 +49,79 @@ const SHOTS_OF: Shot[] = [
     camera: "Free",
     at_s: 40,
   },
-  { name: "ship-to-ship-wing", scenario: "live/ship_to_ship.toml", camera: "Port", at_s: 30 },
-  { name: "bow-day", scenario: "live/berthing.toml", camera: "Bow", at_s: 100 },
+  { name: "dusk-tug", scenario: BERTHING, camera: "Tug", at_s: 60, palette: "dusk" },
+  { name: "dusk-berth", scenario: MOORED, camera: "Stb", at_s: 60, palette: "dusk" },
+  { name: "night-ship", scenario: HARBOUR, camera: "Bridge", at_s: 60, palette: "night" },
+  { name: "night-tug", scenario: HARBOUR, camera: "Port", at_s: 60, palette: "night" },
+  { name: "night-berth", scenario: BERTHING, camera: "Bollard", at_s: 90, palette: "night" },
+  { name: "fog-ship", scenario: HARBOUR, set: fog("500 m"), camera: "Bridge", at_s: 60 },
+  {
+    name: "fog-tug",
+    scenario: HARBOUR,
+    set: fog("300 m"),
+    camera: "Tug",
+    at_s: 60,
+    keys: ["ArrowRight", "ArrowRight"],
+  },
+  { name: "fog-berth", scenario: BERTHING, set: fog("300 m"), camera: "Bow", at_s: 100 },
 ];
-/** Size of the browser's window, and largest size of a file. */
+/** Where they go. */
+const FOLDER =
+  process.env.SCREENSHOTS ?? new URL("../../docs/_static/view/", import.meta.url).pathname;
+/** Size of the browser's window, width of a picture [px], and largest size of a file: twelve have less than 600 kB. */
 const SIZE = { width: 1600, height: 900 };
-const MOST_BYTES = 150_000;
+const WIDE_PX = 1120;
+const MOST_BYTES = 49_000;
+
+/** A word of the marks, which the page writes over the picture; shares of the width and the height. */
+interface Word {
+  x: number;
+  y: number;
+  text: string;
+}
+
+const wordsOver = (page: Page): Promise<Word[]> =>
+  page.locator(".window-labels span:not([hidden])").evaluateAll((all) =>
+    all.map((each) => {
+      const { left, top } = (each as HTMLElement).style;
+      return {
+        x: Number.parseFloat(left) / 100,
+        y: Number.parseFloat(top) / 100,
+        text: each.textContent ?? "",
+      };
+    }),
+  );
 
 /** A picture of the view as JPEG, no larger than a page of the book may have. */
-async function asJpeg(page: Page, png: Buffer): Promise<Buffer> {
-  for (const quality of [0.85, 0.75, 0.65, 0.55]) {
+async function asJpeg(page: Page, png: Buffer, words: Word[]): Promise<Buffer> {
+  for (const quality of [0.85, 0.75, 0.65, 0.55, 0.45, 0.35]) {
     const text = await page.evaluate(
-      async ([png, quality]) => {
+      async ([png, quality, wide, words]) => {
         const image = new Image();
         image.src = `data:image/png;base64,${png}`;
         await image.decode();
         const area = document.createElement("canvas");
-        [area.width, area.height] = [1280, Math.round((1280 * image.height) / image.width)];
-        area.getContext("2d")?.drawImage(image, 0, 0, area.width, area.height);
+        [area.width, area.height] = [wide, Math.round((wide * image.height) / image.width)];
+        const to = area.getContext("2d");
+        if (!to) throw new Error("a browser has a canvas");
+        to.drawImage(image, 0, 0, area.width, area.height);
+        to.font = "bold 15px sans-serif";
+        to.textAlign = "center";
+        to.textBaseline = "middle";
+        for (const { x, y, text } of words) {
+          const [at, down, half] = [
+            x * area.width,
+            y * area.height,
+            to.measureText(text).width / 2,
+          ];
+          to.fillStyle = "#ffffffdd";
+          to.fillRect(at - half - 6, down - 22, 2 * half + 12, 22);
+          to.fillStyle = "#17191b";
+          to.fillText(text, at, down - 11);
+        }
         return area.toDataURL("image/jpeg", quality).split(",")[1] ?? "";
       },
-      [png.toString("base64"), quality] as const,
+      [png.toString("base64"), quality, WIDE_PX, words] as const,
     );
     const jpeg = Buffer.from(text, "base64");
     if (jpeg.length <= MOST_BYTES) return jpeg;
@@ -104,7 +130,7 @@ async function asJpeg(page: Page, png: Buffer): Promise<Buffer> {
 }
 
 test("pictures for looking at", async () => {
-  mkdirSync(SHOTS, { recursive: true });
+  mkdirSync(FOLDER, { recursive: true });
   const errors: string[] = [];
   for (const shot of SHOTS_OF.filter(({ name }) => name.includes(process.env.ONLY ?? ""))) {
     const scenario = new URL(`../../scenarios/${shot.scenario}`, import.meta.url).pathname;
@@ -139,15 +165,11 @@ test("pictures for looking at", async () => {
     await page.getByRole("img", { name: /^View / }).focus();
     for (const key of shot.keys ?? []) await page.keyboard.press(key);
     await page.waitForTimeout(1000);
-    // A mark's words are over the picture, not in it: with marks the page itself is the picture.
-    const png = shot.marks
-      ? await page.locator(".window").screenshot()
-      : await (async () => {
-          const saved = page.waitForEvent("download");
-          await page.getByRole("button", { name: "Picture: save this view" }).click();
-          return readFileSync(await (await saved).path());
-        })();
-    writeFileSync(join(SHOTS, `picture-${shot.name}.jpg`), await asJpeg(page, png));
+    const words = await wordsOver(page);
+    const saved = page.waitForEvent("download");
+    await page.getByRole("button", { name: "Picture: save this view" }).click();
+    const png = readFileSync(await (await saved).path());
+    writeFileSync(join(FOLDER, `${shot.name}.jpg`), await asJpeg(page, png, words));
     await close();
     await served.close();
   }

@@ -6,11 +6,15 @@
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { cpus, loadavg, tmpdir } from "node:os";
 import { join } from "node:path";
-import type { Page } from "playwright-core";
+import type { BrowserContext, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { type Served, SHOTS, SOFTWARE_WEBGL, browse, open, serve } from "./browser";
 import { axe, sizes, withAxe } from "./faults";
 import { apart, signature } from "./signature";
+import type { Head } from "../src/bridge/headset";
+import type { Shown } from "../src/bridge/picture";
+import type { Frame } from "../src/protocol";
+import { force } from "../src/units";
 
 const SIZE = { width: 1280, height: 720 };
 const CAMERAS = ["Bridge", "Port", "Stb", "Bow", "Stern", "Tug", "Bollard", "Free"];
@@ -205,7 +209,21 @@ test("without WebGL the page says so, and the plan is back at a press", async ()
   await page.getByText("This browser draws no view").waitFor();
   await page.getByRole("button", { name: /^Plan: close the view/ }).click();
   await page.getByRole("img", { name: "Plan of ship" }).waitFor();
+  // The report says why it has no picture.
+  const moored = await serve([], MOORED);
+  const instructor = await open(context, moored, "instructor", unheard);
+  await instructor.getByRole("button", { name: "Pace 8" }).click();
+  await expect
+    .poll(() => instructor.getByRole("timer").first().textContent())
+    .toMatch(/0:00:[1-9]\d/);
+  const tab = context.waitForEvent("page");
+  await instructor.getByRole("button", { name: /^Report of the session/ }).click();
+  const report = await tab;
+  await report
+    .getByText("There is no picture of the largest fender load: this browser has no WebGL")
+    .waitFor({ timeout: 60_000 });
   await close();
+  await moored.close();
 });
 
 test("an address opens one of several windows that make a panorama", async () => {
@@ -235,6 +253,8 @@ test("marks are in the picture on request: figures, path, forces and loads", asy
   await look(page);
   const figures = page.locator(".window-figures");
   expect(await figures.isVisible()).toBe(false);
+  // This browser has no headset.
+  expect(await page.getByRole("button", { name: /^Headset: / }).isVisible()).toBe(false);
   await page.getByRole("button", { name: /^Marks: / }).click();
   await expect.poll(() => figures.textContent()).toMatch(/^\d{3}\.\d°, .* kn ahead/);
   // She is on her way to the berth: its distances are in the picture.
@@ -252,9 +272,178 @@ test("marks are in the picture on request: figures, path, forces and loads", asy
   expect(errors).toEqual([]);
 });
 
+/** How many pixels of the canvas a lamp's red has, and how many the blue of a mark on a line. */
+async function lit(page: Page): Promise<{ red: number; blue: number }> {
+  const png = (await canvas(page).screenshot()).toString("base64");
+  return page.evaluate(async (png) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${png}`;
+    await image.decode();
+    const area = document.createElement("canvas");
+    [area.width, area.height] = [image.width, image.height];
+    const to = area.getContext("2d");
+    if (!to) throw new Error("a browser has a canvas");
+    to.drawImage(image, 0, 0);
+    const { data } = to.getImageData(0, 0, area.width, area.height);
+    let [red, blue] = [0, 0];
+    for (let i = 0; i < data.length; i += 4) {
+      const [r = 0, g = 0, b = 0] = data.slice(i, i + 3);
+      // Red, or red beside the white of a masthead light; not the amber of words.
+      if (r > 110 && g < 0.8 * r && b > 0.8 * g) red += 1;
+      if (b > 130 && b > g + 15 && g > r + 15) blue += 1;
+    }
+    return { red, blue };
+  }, png);
+}
+
+outsideCi("a ship hides lights and marks behind her", async () => {
+  const file = join(mkdtempSync(join(tmpdir(), "fenderline-behind-")), "behind.toml");
+  // A container ship lies across the way; behind her a tug looks this way and has a line to her.
+  const ships = [
+    'vessel = "bulk-carrier"\nposition = [0, 0]',
+    'vessel = "container-ship"\nposition = [1000, 40]\nheading = "90 deg"',
+    'vessel = "asd-tug"\nposition = [1150, 150]\nheading = "200 deg"',
+  ];
+  writeFileSync(
+    file,
+    `[time]\nstep = "0.1 s"\nduration = "1 h"\n${ships.map((ship, i) => `[body.ship_${i}]\n${ship}\n`).join("")}
+[line.towline]\nfrom = "ship_1"\nfairlead = [-60, -20]\nfairlead_height = "6 m"\nto = "ship_2"\nbollard = [12, 0]
+bollard_height = "4 m"\nrope = "hmpe"\nbreak_load = "1200 kN"\npretension = "60 kN"\n`,
+  );
+  const of = await serve([], file);
+  const { context, close } = await browse(SIZE, false, SOFTWARE_WEBGL);
+  const page = await open(context, of, "instructor", errors);
+  await page.getByRole("button", { name: "Pause (K)" }).click();
+  await look(page);
+  await page.getByRole("button", { name: /^Marks: / }).click();
+  for (
+    let i = 0;
+    i < 4 && (await page.locator("html").getAttribute("data-palette")) !== "night";
+    i++
+  )
+    await page.keyboard.press("b");
+  await redrawn(page);
+  await page.screenshot({ path: join(SHOTS, "window-behind.png") });
+  expect(await lit(page)).toEqual({ red: 0, blue: 0 });
+  expect(await page.locator(".window-labels span:visible").count()).toBe(0);
+  // From far off on the other side both are seen: the test finds what it looks for.
+  await page.locator(".window-tools").getByText("Free", { exact: true }).click();
+  await canvas(page).focus();
+  for (let i = 0; i < 9; i++) await page.keyboard.press("-");
+  for (let i = 0; i < 14; i++) await page.keyboard.press("ArrowLeft");
+  await redrawn(page);
+  await page.screenshot({ path: join(SHOTS, "window-behind-seen.png") });
+  const seen = await lit(page);
+  expect(seen.red).toBeGreaterThan(0);
+  expect(seen.blue).toBeGreaterThan(0);
+  await close();
+  await of.close();
+  expect(errors).toEqual([]);
+});
+
+/** Goes to 20 s of the run, and gives what the view shows then. */
+async function shownAt20s(page: Page): Promise<Shown> {
+  await page.getByRole("button", { name: "Rewind to the start" }).click();
+  const time = () => page.getByRole("timer").first().textContent();
+  for (const till of ["0:00:10", "0:00:20"]) {
+    await page.getByRole("button", { name: "On ten seconds" }).click();
+    await expect.poll(time).toContain(till);
+  }
+  const shown = async () =>
+    JSON.parse((await canvas(page).getAttribute("data-shown")) ?? "{}") as Partial<Shown>;
+  await expect.poll(async () => (await shown()).tick, { timeout: 60_000 }).toBe(200);
+  return (await shown()) as Shown;
+}
+
+/** What the view shows is what the frame of its tick says: her place, her heading, each fender, the loads of lines. */
+function agrees(shown: Shown, frame: Frame | undefined): void {
+  const ship = frame?.bodies[0];
+  if (!frame || !ship) throw new Error("there is no frame of the ship");
+  expect(shown.tick).toBe(frame.tick);
+  expect(Math.abs((shown.north_m ?? 0) - ship[0])).toBeLessThan(0.01);
+  expect(Math.abs((shown.east_m ?? 0) - ship[1])).toBeLessThan(0.01);
+  expect(Math.abs((shown.heading_rad ?? 0) - ship[2])).toBeLessThan(1e-4);
+  expect(shown.pressed_m.length).toBe(frame.fenders.length);
+  expect(Math.max(...frame.fenders.map(({ deflection_m }) => deflection_m))).toBeGreaterThan(0.001);
+  frame.fenders.forEach(({ deflection_m }, i) =>
+    expect(Math.abs((shown.pressed_m[i] ?? -1) - deflection_m)).toBeLessThan(0.001),
+  );
+  const fast = frame.lines.filter(({ state, tension_n }) => state === "fast" && tension_n > 1000);
+  expect(fast.length).toBeGreaterThan(3);
+  for (const { tension_n } of fast) expect(shown.labels).toContain(force(tension_n));
+}
+
+/** Meta's emulator of headsets in place of the browser's WebXR. */
+async function withHeadset(context: BrowserContext): Promise<void> {
+  await context.addInitScript({
+    path: new URL("../node_modules/iwer/build/iwer.min.js", import.meta.url).pathname,
+  });
+  await context.addInitScript(() => {
+    const { IWER } = window as unknown as { IWER: typeof import("iwer") };
+    const device = new IWER.XRDevice(IWER.metaQuest3);
+    device.installRuntime({ forceInstall: true });
+    Object.assign(window, { device });
+  });
+}
+
+/** In a headset: the head begins at the eye's place, a metre is a metre, and turning the head turns the view. */
+async function wear(page: Page): Promise<void> {
+  const head = async () =>
+    JSON.parse((await canvas(page).getAttribute("data-head")) ?? "null") as Head | null;
+  const shown = async () =>
+    JSON.parse((await canvas(page).getAttribute("data-shown")) ?? "{}") as Shown;
+  const off = (a: readonly number[], b: readonly number[]) =>
+    Math.hypot(...a.map((v, i) => v - (b[i] ?? 0)));
+  await page.locator(".window-tools").getByText("Bridge", { exact: true }).click();
+  await redrawn(page);
+  const { eye } = await shown();
+  const button = page.getByRole("button", { name: /^Headset: / });
+  await button.click();
+  await expect.poll(() => button.getAttribute("aria-pressed")).toBe("true");
+  await expect.poll(async () => off((await head())?.at ?? [0, 0, 0], eye)).toBeLessThan(0.01);
+  const before = await head();
+  if (!before) throw new Error("the headset has drawn");
+  await page.evaluate(() => {
+    const { device } = window as unknown as { device: import("iwer").XRDevice };
+    device.position.x += 0.5;
+    // A quarter turn to port.
+    device.quaternion.set(0, Math.SQRT1_2, 0, Math.SQRT1_2);
+  });
+  await expect
+    .poll(async () => off((await head())?.at ?? [0, 0, 0], before.at))
+    .toBeCloseTo(0.5, 2);
+  const after = await head();
+  // To port of north is west, along −x.
+  const [x, , z] = before.ahead;
+  expect(off(after?.ahead ?? [], [z, 0, -x])).toBeLessThan(0.05);
+  // The emulator lays the picture over the page, and leaves the picture there.
+  const press = () => button.evaluate((each) => (each as HTMLElement).click());
+  await press();
+  await expect.poll(() => button.getAttribute("aria-pressed")).toBe("false");
+  await redrawn(page);
+  expect(off((await shown()).eye, eye)).toBeLessThan(0.01);
+  // A headset that does not start is said in words.
+  await page.evaluate(() => {
+    const { xr } = navigator as unknown as { xr: { requestSession: unknown } };
+    xr.requestSession = () => Promise.reject(new DOMException("", "NotSupportedError"));
+  });
+  await press();
+  await page.getByText("The headset did not start: the browser found no headset").waitFor();
+}
+
 test("the view follows the timeline, films, and finds the largest fender load", async () => {
   const moored = await serve([], MOORED);
   const { context, close } = await browse(SIZE, false, SOFTWARE_WEBGL);
+  await withHeadset(context);
+  const frames = new Map<number, Frame>();
+  context.on("page", (page) =>
+    page.on("websocket", (socket) =>
+      socket.on("framereceived", ({ payload }) => {
+        const message = JSON.parse(String(payload)) as { type: string };
+        if (message.type === "frame") frames.set((message as Frame).tick, message as Frame);
+      }),
+    ),
+  );
   const page = await open(context, moored, "instructor", errors);
   await look(page);
   await page.locator(".window-tools").getByText("Free", { exact: true }).click();
@@ -289,6 +478,49 @@ test("the view follows the timeline, films, and finds the largest fender load", 
   const picture = await saved;
   expect(picture.suggestedFilename()).toMatch(/-cone.*s\.png$/);
   await picture.saveAs(join(SHOTS, "window-largest-load.png"));
+  // The report has the picture, and so has the file that is saved from it.
+  const tab = context.waitForEvent("page");
+  await page.getByRole("button", { name: /^Report of the session/ }).click();
+  const report = await tab;
+  const figure = report.locator("figure.view-picture");
+  await figure.locator("img").waitFor({ timeout: 60_000 });
+  expect(await figure.textContent()).toMatch(
+    /s: fender cone.*; reaction \d+ kN, \d+ % of the rated; energy .*; deflection 0\.\d\d m/,
+  );
+  const [wide] = await figure
+    .locator("img")
+    .evaluate((image: HTMLImageElement) => [image.naturalWidth]);
+  expect(wide).toBe(1120);
+  await figure.scrollIntoViewIfNeeded();
+  await report.screenshot({ path: join(SHOTS, "window-report.png") });
+  const kept = report.waitForEvent("download");
+  await report.getByRole("link", { name: "Save this report with the picture" }).click();
+  const html = readFileSync(await (await kept).path(), "utf8");
+  expect(html).toContain("<h2>Fenders</h2><figure");
+  expect(html).toContain('src="data:image/jpeg;base64,');
+  expect(html.length).toBeLessThan(1_000_000);
+  await report.close();
+  // A recorded session shows what it recorded.
+  await page.getByRole("button", { name: /^Marks: / }).click();
+  const before = await shownAt20s(page);
+  const recorded = frames.get(200);
+  agrees(before, recorded);
+  await page.getByRole("tab", { name: "Session" }).click();
+  await page.getByLabel("Name to save under").fill("squall");
+  await page.getByRole("button", { name: "Save session" }).click();
+  frames.clear();
+  const row = page.locator(".gallery li", { hasText: "Saved as squall." });
+  await row.getByRole("button", { name: /^Open / }).click();
+  await page.getByRole("button", { name: "End this run" }).click();
+  // It opens at its end.
+  await expect.poll(() => [...frames.keys()].some((tick) => tick > 200)).toBe(true);
+  const again = await shownAt20s(page);
+  agrees(again, recorded);
+  expect({ ...again, labels: again.labels.toSorted() }).toEqual({
+    ...before,
+    labels: before.labels.toSorted(),
+  });
+  if (!process.env.CI) await wear(page);
   await close();
   await moored.close();
   expect(errors).toEqual([]);

@@ -1,5 +1,6 @@
 /** The page: the scenario's text beside the plan and the results. A change of the text is run at once. */
 import type { ScenarioInfo } from "fenderline";
+import { type Drawn, drawMoment } from "../src/bridge/moment";
 import { Pane, type Share } from "../src/bridge/pane";
 import { History } from "../src/history";
 import { Live, structure } from "../src/live";
@@ -13,6 +14,7 @@ import { Plan } from "../src/views/plan";
 import { Strips } from "../src/views/strips";
 import { Verdict, setGravity } from "../src/views/verdict";
 import type { View } from "../src/views/view";
+import { Worst } from "../src/worst";
 import { Editor } from "./editor";
 import { EXAMPLES, titleOf } from "./examples";
 import type { Heard, Job } from "./messages";
@@ -314,7 +316,18 @@ export class Workbench {
 
   private ended(results: Parameters<Outcome["show"]>[0]): void {
     this.setRunning(false);
-    this.outcome.show(results, this.file);
+    this.outcome.show(results, this.file, () => this.largestDrawn());
+  }
+
+  /** The picture of the largest fender load among the kept frames; `null`: no fender was loaded. */
+  private async largestDrawn(): Promise<Drawn | null> {
+    const { hello } = this.live;
+    const last = this.frames.at(-1);
+    if (!hello || !last) return null;
+    const worst = new Worst();
+    for (const frame of this.frames) worst.hear(frame, hello);
+    const moment = worst.found(last.run);
+    return moment && drawMoment(moment, last);
   }
 
   private lost(why: string): void {
@@ -425,6 +438,7 @@ export class Workbench {
   private show(name: string): void {
     this.shownTab = name;
     if (name === "New exercise") void this.maker.open();
+    if (name === "Report") void this.outcome.illustrate();
     for (const tab of this.tabs) {
       setClass(tab.view.root, "shown", tab.name === name);
       setAttribute(tab.button, "aria-selected", String(tab.name === name));

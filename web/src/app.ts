@@ -1,4 +1,5 @@
 /** The page: bar, plan, panel with tabs, control strip, and which of them each role sees; keys; the drawing loop. */
+import { type Drawn, drawMoment } from "./bridge/moment";
 import { Pane, type Share } from "./bridge/pane";
 import { Connection, type LinkState } from "./connection";
 import type { Group, KeyAction } from "./controls/group";
@@ -6,10 +7,11 @@ import { Helm } from "./controls/helm";
 import { Run } from "./controls/run";
 import { tugHelm } from "./controls/tugmaster";
 import { Tugs } from "./controls/tugs";
+import { fileNameOf } from "./file_name";
 import { Help } from "./help";
 import { Hints } from "./hints";
 import { History } from "./history";
-import { Live, isOfTug, structure } from "./live";
+import { Live, structure } from "./live";
 import { NameBadge } from "./name";
 import { ON_PAGE, isOrder, unknownOrders } from "./orders";
 import type { Page } from "./page";
@@ -26,6 +28,7 @@ import {
   type Role,
   type VerdictNow,
 } from "./protocol";
+import { illustrate } from "./report_picture";
 import { Trial } from "./trial";
 import { button, h, setAttribute, setClass, setText } from "./ui/dom";
 import { TabRow } from "./ui/tab_row";
@@ -51,6 +54,7 @@ import { Strips } from "./views/strips";
 import { TrialView } from "./views/trial";
 import { Verdict, setGravity } from "./views/verdict";
 import type { View } from "./views/view";
+import { Worst, mostLoaded } from "./worst";
 
 const SAID_MS = 6000;
 /** Period over which drawn frames per second are counted. */
@@ -69,6 +73,7 @@ export class App implements Page {
   readonly trial = new Trial();
   private readonly connection: Connection;
   private readonly history = new History();
+  private readonly worst = new Worst();
   private readonly past = new PastRequests(() => this.connection.send(this.charted()));
   private readonly sound = new Sound();
   private readonly hints = new Hints();
@@ -202,10 +207,28 @@ export class App implements Page {
     // Opened at once: after the answer a browser would take it for a pop-up.
     const tab = window.open("", "_blank");
     if (tab) tab.document.body.textContent = "Making the report of the session …";
+    const drawing = this.largestDrawn();
     const done = await this.order({ do: "report" });
     if (!done) tab?.close();
-    else if (tab) tab.location.href = new URL(`/report${location.search}`, location.href).href;
-    else this.say("The browser has blocked the report's tab: allow it and press again.", "refusal");
+    else if (tab) {
+      const address = new URL(`/report${location.search}`, location.href).href;
+      tab.location.href = address;
+      const drawn = await drawing;
+      const name = `${fileNameOf(this.live.hello?.title ?? "")}-report.html`;
+      if (drawn) illustrate(tab, address, name, drawn);
+    } else
+      this.say("The browser has blocked the report's tab: allow it and press again.", "refusal");
+  }
+
+  /** The picture of the largest fender load for the report; `null`: no fender was loaded. */
+  private async largestDrawn(): Promise<Drawn | null> {
+    const { hello, frame } = this.live;
+    if (!hello || !frame?.fenders.some(({ touched }) => touched)) return null;
+    const moment = this.worst.found(frame.run);
+    if (moment) return drawMoment(moment, frame);
+    return {
+      none: "this page has not seen that moment. Picture of the largest fender load, in the tab Verdict, goes there, and the next report has the picture",
+    };
   }
 
   drag(control: string, action: Action): void {
@@ -248,6 +271,7 @@ export class App implements Page {
       case "frame":
         this.live.tick(message, performance.now());
         this.past.frame(message);
+        if (this.live.hello) this.worst.hear(message, this.live.hello);
         if (this.live.hello)
           this.history.add(message, this.live.hello, this.live.ship(), this.live.body());
         this.tick();
@@ -324,6 +348,7 @@ export class App implements Page {
     this.live.welcome(hello);
     if (fresh) {
       this.history.clear();
+      this.worst.clear();
       this.past.forget();
       this.sound.welcome(hello.role);
     }
@@ -539,20 +564,15 @@ export class App implements Page {
     if (!(await this.order({ do: "rewind", tick }))) return;
     for (let i = 0; i < 100 && this.live.frame?.tick !== tick; i++)
       await new Promise((done) => setTimeout(done, 50));
-    const loads = (this.live.frame?.fenders ?? []).map((fender, i) => {
-      const info = hello.fenders[i];
-      return info && !isOfTug(info, hello)
-        ? Math.max(fender.of_energy, 1e-12 * fender.reaction_n)
-        : 0;
-    });
-    const most = loads.indexOf(Math.max(...loads));
-    if (most < 0 || (loads[most] ?? 0) <= 0) {
+    const { frame } = this.live;
+    const most = frame && mostLoaded(frame, hello);
+    if (!most) {
       this.say("The frame of that moment has no loaded fender.");
       return;
     }
     if (this.shared === "plan") this.share("view");
-    const made = await this.pane.fenderPicture(most);
-    const name = spoken(hello.fenders[most]?.name ?? "");
+    const made = await this.pane.fenderPicture(most.fender);
+    const name = spoken(hello.fenders[most.fender]?.name ?? "");
     this.say(
       made
         ? `${clock(t_s)}: the largest load, at ${name}. The picture is saved; the timeline leads back.`

@@ -111,7 +111,9 @@ export class History {
   }
 }
 
-const loadOf = ({ of_energy, of_reaction }: Sample): number => Math.max(of_energy, of_reaction);
+/** Fenders that buckle have all of their reaction early: their energy tells how far they are pressed. */
+const loadOf = ({ of_energy, of_reaction }: Sample): number =>
+  of_energy > 0 ? of_energy : of_reaction;
 
 /** Without ratings the forces decide. */
 const isMore = (next: Sample, most: Sample): boolean =>

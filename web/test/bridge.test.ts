@@ -21,7 +21,7 @@ import { Fenders, faceOff, shapeOf } from "../src/bridge/fenders";
 import { breadthOf } from "../src/bridge/hull";
 import { atAnchor, bearingFrom, isSeen, underWay } from "../src/bridge/lamps";
 import { cut, width } from "../src/bridge/land";
-import { density } from "../src/bridge/light";
+import { density, lightOf } from "../src/bridge/light";
 import { type Look, lookOf } from "../src/bridge/look";
 import { mark } from "../src/bridge/marks";
 import { PAINTS, shipParts } from "../src/bridge/ship";
@@ -640,9 +640,15 @@ describe("the sun", () => {
   });
 });
 
+test("sun and moon cast shadows, the dusk between them does not", () => {
+  const shadows = (elevation: number) =>
+    lightOf({ azimuth_rad: 0, elevation_rad: elevation * DEG }).shadows;
+  expect([40, 5, -2.5, -6, -25].map(shadows)).toEqual([1, 1, 0, 0, 1]);
+});
+
 test("at the visibility a twentieth of the contrast is left", () => {
   for (const visibility of [200, 2000, 20_000])
-    expect(Math.exp(-((density(visibility) * visibility) ** 2))).toBeCloseTo(0.05, 9);
+    expect(Math.exp(-density(visibility) * visibility)).toBeCloseTo(0.05, 9);
 });
 
 test("a coast is triangles that cover it, and its bank lies inside", () => {

@@ -8,7 +8,10 @@ import {
   pathStrokes,
   resampled,
 } from "../src/bridge/in_picture";
+import { arrangementOf } from "../src/bridge/arrangement";
+import type { Triple } from "../src/bridge/axes";
 import { PIECES } from "../src/bridge/catenary";
+import { blocksOf, hides } from "../src/bridge/hidden";
 import { History } from "../src/history";
 import type { Frame, Hello, Pair, PathPoint } from "../src/protocol";
 
@@ -24,6 +27,40 @@ test("an arrow points where the force points, its tip where the force acts", () 
   expect(z).toBeCloseTo(-5 + 14, 9);
   expect(head.points[PIECES / 2]).toEqual([10, 2, -5]);
   expect(arrow([0, 0, 0], [0, 0], 0)).toEqual([]);
+});
+
+test("the arrow of a pull begins where the line holds, so that the ship does not hide the arrow", () => {
+  const [shaft] = arrow([10, 2, -5], [0, -1e6], 0xffffff, true);
+  expect(shaft?.points[0]).toEqual([10, 2, -5]);
+  expect(shaft?.points.at(-1)?.[2]).toBeCloseTo(-5 - 14, 9);
+});
+
+test("a word is not written where a hull or a house hides its place", () => {
+  const outline: Pair[] = [
+    [-90, -15],
+    [90, -15],
+    [90, 15],
+    [-90, 15],
+  ];
+  const vessel = { title: "bulker", length_m: 180, beam_m: 30, draught_m: 10, is_tug: false };
+  const ship = arrangementOf(vessel, outline);
+  const blocks = blocksOf(ship);
+  // In the axes of the ship: to starboard, up, astern.
+  const seen = (eye: Triple, at: Triple) => !blocks.some((block) => hides(block, eye, at));
+  // From a boat to port: what is to starboard is hidden below the deck and behind the house, not above the hatches.
+  expect(seen([-100, 2, 0], [60, 2, 0])).toBe(false);
+  expect(seen([-100, 2, 0], [60, ship.deck_m + 12, 0])).toBe(true);
+  const house = -(ship.house.aft_m + ship.house.fore_m) / 2;
+  expect(seen([-100, 12, house], [60, 12, house])).toBe(false);
+  // Round the bow and round the stern the way is free.
+  expect(seen([-100, 2, -95], [60, 2, -95])).toBe(true);
+  expect(seen([-100, 2, 95], [60, 2, 95])).toBe(true);
+  // From the port wing: a fender at the port side is seen, one at the starboard side is not.
+  const wing: Triple = [-15.3, ship.house.bridge_deck_m + 1.8, -ship.bridge.fore_m];
+  expect(seen(wing, [-15, 3, -40])).toBe(true);
+  expect(seen(wing, [15, 3, -40])).toBe(false);
+  // A line from the deck to a bollard ashore, as the bollard sees it.
+  expect(seen([-45, 6, 0], [-30, 7, -20])).toBe(true);
 });
 
 test("loads below, near and over their limit have different colours", () => {

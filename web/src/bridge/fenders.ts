@@ -94,6 +94,17 @@ export class Fenders {
     });
   }
 
+  /** How far each fender is pressed in the picture [m]; `null`: it is not drawn. */
+  pressed(): (number | null)[] {
+    return this.built.map((each) => {
+      if (!each) return null;
+      const { info, rubber, panel, shape } = each;
+      const long = rubber.scale.z;
+      const off = panel ? -panel.position.z : shape === "arch" ? long : long * info.projection_m;
+      return info.projection_m - off;
+    });
+  }
+
   /** `water_m`: level of the water above datum, on which floating fenders of fixed bodies rise. */
   tick(now: FenderNow[], water_m = 0): void {
     this.built.forEach((each, i) => {

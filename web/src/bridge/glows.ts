@@ -31,19 +31,22 @@ export class Glows {
       depthWrite: false,
       blending: AdditiveBlending,
       vertexShader: /* glsl */ `
+        #define LANTERN_M 0.7
         attribute vec4 glow;
         uniform float uHaze; uniform float uPixels;
         varying vec3 vGlow;
         void main() {
           vec4 at = viewMatrix * vec4(position, 1.0);
           float away = max(1.0, -at.z);
-          // Seen through the haze a light loses twice the contrast of what it shines on.
-          float through = exp(-uHaze * uHaze * away * away * 0.6);
+          // As bright as an eye takes it: a light is seen somewhat farther than the visibility.
+          float through = exp(-0.6 * uHaze * away);
           float near = clamp(60.0 / away, 0.0, 1.0);
           vGlow = glow.rgb * glow.a * through * (0.55 + 0.45 * near);
-          gl_Position = projectionMatrix * at;
-          gl_Position.z -= 0.0004 * gl_Position.w;
-          gl_PointSize = through < 0.01 ? 0.0 : (uPixels / 700.0) * clamp(9.0 + 420.0 / away, 9.0, 34.0);
+          // Before the lantern itself, not before what hides the lantern.
+          gl_Position = projectionMatrix * vec4(at.xyz * max(0.5, 1.0 - LANTERN_M / away), 1.0);
+          // In a small picture too a light is larger than a pixel: it would fall between pixels.
+          float wide = max(5.0, (uPixels / 700.0) * clamp(9.0 + 420.0 / away, 9.0, 34.0));
+          gl_PointSize = through < 0.01 ? 0.0 : wide;
         }`,
       fragmentShader: /* glsl */ `
         varying vec3 vGlow;

@@ -65,13 +65,16 @@ export function resampled(points: Triple[]): Triple[] {
   });
 }
 
-/** An arrow of a force whose point is at a place; `along`: the force in the axes of the picture, level [N]. */
-export function arrow(tip: Triple, [x, z]: Pair, colour: Colour): Stroke[] {
+/**
+ * An arrow of a force in the axes of the picture, level [N]. Its point is at a place, or its tail if the force `pulls` there.
+ */
+export function arrow(place: Triple, [x, z]: Pair, colour: Colour, pulls = false): Stroke[] {
   const size_n = Math.hypot(x, z);
   if (size_n <= 0) return [];
   const long = Math.min(ARROW_LIMITS_M[1], Math.max(ARROW_LIMITS_M[0], (size_n / 1e6) * PER_MN_M));
   const way: Triple = [x / size_n, 0, z / size_n];
   const side: Triple = [-way[2], 0, way[0]];
+  const tip = pulls ? plus(place, scaled(way, long)) : place;
   const from = plus(tip, scaled(way, -long));
   const head = Math.min(1.8, 0.35 * long);
   const barb = (turn: number) =>

@@ -37,6 +37,8 @@ export interface Light {
   /** Towards the disc of the sun, or of the moon at night; below the horizon it is not seen. */
   disc: Triple;
   direct: Triple;
+  /** 1 where the sun or the moon casts shadows, 0 in the dusk after sunset. */
+  shadows: number;
   sky: Triple;
   ground: Triple;
   zenith: Triple;
@@ -53,7 +55,7 @@ export interface Light {
   stars: number;
 }
 
-type Colours = Omit<Light, "sun" | "from" | "disc" | "lamps">;
+type Colours = Omit<Light, "sun" | "from" | "disc" | "lamps" | "shadows">;
 
 const NOON: Colours = {
   direct: [3.1, 2.85, 2.5],
@@ -121,6 +123,7 @@ export function lightOf(sun: Sun): Light {
   return {
     ...colours,
     lamps: high < 1 ? 1 : 0,
+    shadows: isNight ? 1 : smooth(-0.5, 1.5, high),
     sun: towards(sun),
     from: unit(towards(shown)),
     disc: towards(isNight ? MOON : sun),
@@ -131,8 +134,8 @@ export function lightOf(sun: Sun): Light {
 const CLEAR_M = 45_000;
 
 /**
- * Density of the haze [1/m]: a share exp(−(density · distance)²) of a colour comes through, as `three` computes fog. At the
- * visibility five hundredths of the contrast are left, as the definition of visibility asks.
+ * Density of the haze [1/m]: a share exp(−density · distance) of a colour comes through, by the law of Beer and Lambert. At the
+ * visibility five hundredths of the contrast are left, as the definition of visibility asks (Koschmieder's; from memory).
  */
 export const density = (visibility_m: number | null): number =>
-  Math.sqrt(Math.log(20)) / Math.max(20, visibility_m ?? CLEAR_M);
+  Math.log(20) / Math.max(20, visibility_m ?? CLEAR_M);

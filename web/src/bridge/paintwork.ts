@@ -52,7 +52,15 @@ const GLOWS: Record<Surface, string> = {
   plain: "",
   leaves: "",
   ground: "",
-  steel: `totalEmissiveRadiance += diffuseColor.rgb * uLamps * vec3(0.09, 0.075, 0.05) * step(0.6, vPlace.y);`,
+  // Paint shines: upright plates mirror a little of sky and sea, much at a low angle, so that a black side is not a hole.
+  steel: `
+    vec3 gaze = normalize(vWorld - cameraPosition);
+    vec3 plate = normalize(vNormalWorld);
+    vec3 back = reflect(gaze, plate);
+    float sheen = 0.03 + 0.3 * pow(1.0 - max(0.0, dot(-gaze, plate)), 5.0);
+    vec3 mirrored = skyColour(vec3(back.x, abs(back.y) + 0.05, back.z)) * mix(0.55, 1.0, smoothstep(-0.12, 0.12, back.y));
+    totalEmissiveRadiance += upright * upright * sheen * mirrored;
+    totalEmissiveRadiance += diffuseColor.rgb * uLamps * vec3(0.09, 0.075, 0.05) * step(0.6, vPlace.y);`,
   concrete: `totalEmissiveRadiance += diffuseColor.rgb * uLamps * vec3(0.3, 0.2, 0.09) * mix(0.3, 1.0, abs(vNormalPart.y)) * (0.45 + 0.55 * noise2(vPlace.xz * 0.045));`,
   panes: `
     float lit = step(0.5, hash2(floor(vPlace.xz * 0.36 + vPlace.y * 0.9))) * step(0.019, vColor.b) * uLamps;
@@ -112,7 +120,7 @@ export function paintwork(shared: Shared, surface: Surface, twoSided = false): M
       )
       .replace(
         "#include <opaque_fragment>",
-        `float clear_ = exp(-uHaze * uHaze * far_ * far_);
+        `float clear_ = throughHaze(far_);
         outgoingLight = mix(hazeColour((vWorld - cameraPosition) / max(far_, 0.01)), outgoingLight, clear_);
         #include <opaque_fragment>`,
       );

@@ -15,6 +15,8 @@ import {
   lookOf,
 } from "./look";
 import type { Picture } from "./picture";
+import { isSoftware } from "./software";
+import { hasHeadset, whyNot } from "./xr";
 import { fileNameOf } from "../file_name";
 import { clamp } from "../geometry";
 import type { Live } from "../live";
@@ -75,6 +77,11 @@ export class Pane {
   private readonly filmButton = button("Film", () => void this.roll(), {
     name: "Film: record this view into a file, until pressed again",
     "aria-pressed": "false",
+  });
+  private readonly headsetButton = button("Headset", () => void this.wear(), {
+    name: "Headset: look around in a headset from this place, until pressed again",
+    "aria-pressed": "false",
+    class: "hidden",
   });
   private readonly eyes: [Eye, HTMLButtonElement][];
   private readonly bothButton = button("Both", () => this.both(), {
@@ -142,6 +149,7 @@ export class Pane {
         this.marksButton,
         button("Picture", () => void this.save(), { name: "Picture: save this view" }),
         this.filmButton,
+        this.headsetButton,
         this.bothButton,
         button("Plan", () => this.around.share("plan"), { name: "Plan: close the view (,)" }),
       ),
@@ -179,6 +187,7 @@ export class Pane {
       this.picture.palette(this.palette);
       this.state = "open";
       this.tell("");
+      setClass(this.headsetButton, "hidden", !(await hasHeadset(navigator.xr)));
     } catch (error) {
       this.state = "failed";
       this.tell(
@@ -325,6 +334,8 @@ export class Pane {
     const { canvas, picture } = this;
     const [width, height] = [canvas.clientWidth, canvas.clientHeight];
     const { hello, frame } = this.live;
+    // A headset has its own turns.
+    if (picture?.headset.runs) return;
     if (!picture || this.state !== "open" || !hello || !frame || width === 0 || height === 0) {
       this.drawn_ms = 0;
       return;
@@ -346,15 +357,7 @@ export class Pane {
       canvas.dataset.sized = sized;
       picture.resize(width, height, ratio);
     }
-    if (this.built !== hello) {
-      // Claims of helms come with a new greeting of the same scenario.
-      if (!this.built || !isSame(this.built, hello)) {
-        picture.build(hello, this.live.bodies(now_ms));
-        if (this.look.eye !== "tug") this.look.vessel = this.live.conned();
-        this.mark();
-      }
-      this.built = hello;
-    }
+    this.rebuild(picture, hello, now_ms);
     picture.draw(now_ms, this.look);
     this.drawings += 1;
     if (this.look.marks) this.drawLabels();
@@ -368,6 +371,47 @@ export class Pane {
       canvas.dataset.drawn = String(this.drawings);
       canvas.dataset.triangles = String(picture.triangles);
       canvas.dataset.interval = this.interval_ms.toFixed(1);
+      canvas.dataset.shown = JSON.stringify(picture.shown());
+    }
+  }
+
+  /** Builds the picture anew where the scenario has changed. */
+  private rebuild(picture: Picture, hello: Hello, now_ms: number): void {
+    if (this.built === hello) return;
+    // Claims of helms come with a new greeting of the same scenario.
+    if (!this.built || !isSame(this.built, hello)) {
+      picture.build(hello, this.live.bodies(now_ms));
+      if (this.look.eye !== "tug") this.look.vessel = this.live.conned();
+      this.mark();
+    }
+    this.built = hello;
+  }
+
+  /** Shows the view in a headset, or ends that. */
+  private async wear(): Promise<void> {
+    const { picture, canvas } = this;
+    if (!picture || this.state !== "open" || !navigator.xr) return;
+    const { headset } = picture;
+    if (headset.runs) {
+      await headset.stop();
+      return;
+    }
+    const draws = () => {
+      const now_ms = performance.now();
+      const { hello } = this.live;
+      if (hello) this.rebuild(picture, hello, now_ms);
+      picture.draw(now_ms, this.look);
+      // For tests.
+      canvas.dataset.head = JSON.stringify(headset.head());
+    };
+    try {
+      await headset.start(navigator.xr, draws, () => {
+        setAttribute(this.headsetButton, "aria-pressed", "false");
+        canvas.dataset.sized = "";
+      });
+      setAttribute(this.headsetButton, "aria-pressed", "true");
+    } catch (error) {
+      this.around.say(`The headset did not start: ${whyNot(error)}.`);
     }
   }
 
@@ -493,9 +537,13 @@ export class Pane {
   private async save(): Promise<void> {
     const { picture, canvas } = this;
     if (!picture || this.state !== "open") return;
+    if (picture.headset.runs) {
+      this.around.say("The headset has the view: end that first, then save a picture.");
+      return;
+    }
     const width = Math.max(1280, Math.min(1920, 2 * canvas.clientWidth));
     const height = Math.round((width * canvas.clientHeight) / Math.max(1, canvas.clientWidth));
-    const blob = await picture.still(width, height, this.look, performance.now());
+    const blob = await pngOf(picture.still(width, height, this.look, performance.now()));
     if (!blob) {
       this.around.say("The browser made no picture of this view.");
       return;
@@ -543,7 +591,7 @@ export class Pane {
     }
     const { picture } = this;
     const { hello } = this.live;
-    if (!picture || !hello) return false;
+    if (!picture || !hello || picture.headset.runs) return false;
     const { turn_rad, raise_rad, view_rad, eye } = this.look;
     if (eye !== "free") this.left.set(eye, { turn_rad, raise_rad, view_rad });
     Object.assign(this.look, { eye: "free", fender, view_rad: null, panorama_rad: null });
@@ -552,7 +600,7 @@ export class Pane {
       picture.build(hello, this.live.bodies(performance.now()));
       this.built = hello;
     }
-    const blob = await picture.still(...MOMENT, this.look, performance.now());
+    const blob = await pngOf(picture.still(...MOMENT, this.look, performance.now()));
     if (blob) this.keep(blob, hello.fenders[fender]?.name ?? "fender", "png");
     return blob !== null;
   }
@@ -560,6 +608,9 @@ export class Pane {
 
 const median = (all: number[]): number =>
   all.toSorted((a, b) => a - b)[Math.floor(all.length / 2)] ?? 0;
+
+const pngOf = (canvas: HTMLCanvasElement): Promise<Blob | null> =>
+  new Promise((done) => canvas.toBlob(done, "image/png"));
 
 /** Whether two greetings have the same things in the picture. */
 function isSame(a: Hello, b: Hello): boolean {
@@ -594,13 +645,4 @@ function isSame(a: Hello, b: Hello): boolean {
       daylight,
     ]);
   return of(a) === of(b);
-}
-
-/** Whether WebGL is computed by the processor. */
-function isSoftware(): boolean {
-  const gl = document.createElement("canvas").getContext("webgl2");
-  const info = gl?.getExtension("WEBGL_debug_renderer_info");
-  const name = gl && info ? String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL)) : "";
-  gl?.getExtension("WEBGL_lose_context")?.loseContext();
-  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }

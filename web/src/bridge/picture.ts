@@ -25,6 +25,8 @@ import { PIECES, catenary, weightOf } from "./catenary";
 import { type Seat, seatAtBollard, seatOn } from "./eyes";
 import { Fenders, geometryOf, middleOf } from "./fenders";
 import type { Paint } from "./fittings";
+import { Headset } from "./headset";
+import { type Block, blocksOf, hides } from "./hidden";
 import { Glows } from "./glows";
 import { type Lamp, type LampColour, atAnchor, bearingFrom, isSeen, underWay } from "./lamps";
 import { MOST_TREES, cut, land } from "./land";
@@ -64,13 +66,33 @@ interface Ship {
   /** Index in `Hello.vessels`, or in `Hello.traffic`. */
   index: number;
   arrangement: Arrangement;
+  /** What hides words behind her. */
+  blocks: Block[];
   group: Group;
   lamps: Lamp[];
   anchored: Lamp[];
 }
 
+/** What the picture shows of a frame. */
+export interface Shown {
+  tick: number;
+  north_m: number | null;
+  east_m: number | null;
+  heading_rad: number | null;
+  /** The place of the eye in the axes of the picture [m]. */
+  eye: Triple;
+  /** How far each fender is pressed; `null`: it is not drawn. */
+  pressed_m: (number | null)[];
+  /** The words of the marks, hidden ones too. */
+  labels: string[];
+}
+
 /** Slack below which a line counts as without tension [N]. */
 const SLACK_N = 50;
+/** A line is at least 1.2 pixels wide, a mark 2. */
+const MARKS_NARROWER = 0.6;
+/** How high an arrow lies above what could hide the arrow [m]. */
+const ARROW_OVER_M = 0.7;
 const LEVELS: Record<Label["level"], number> = { plain: 0, caution: 1, alarm: 2 };
 /** Half the side of the square that casts shadows [m]. */
 const SHADOW_M = 170;
@@ -90,13 +112,13 @@ export class Picture {
   private readonly sea: Sea;
   private readonly dome = sky(this.shared);
   private readonly ropes = new Ropes(this.shared);
-  private readonly strokes: Ropes;
-  private readonly paths: Ropes;
+  private readonly strokes = new Ropes(this.shared);
   private labels: Label[] = [];
   private readonly glows = new Glows(this.shared, 1024);
+  readonly headset: Headset;
   private fenders: Fenders | null = null;
   private ships: Ship[] = [];
-  private tugs: { group: Group; arrangement: Arrangement; lamps: Lamp[] }[] = [];
+  private tugs: Omit<Ship, "body" | "index">[] = [];
   private bodies: (Group | null)[] = [];
   private hello: Hello | null = null;
   private origin: Pair = [0, 0];
@@ -120,15 +142,13 @@ export class Picture {
     private readonly live: Live,
     private readonly options: Options,
   ) {
-    this.strokes = new Ropes(this.shared, "through");
-    this.paths = new Ropes(this.shared, "behind");
-    this.paths.room(MOST_GHOSTS);
     this.sea = new Sea(this.shared, options.cheap);
     this.renderer = new WebGLRenderer({
       canvas,
       antialias: !options.cheap,
       powerPreference: "high-performance",
     });
+    this.headset = new Headset(this.renderer);
     this.renderer.toneMapping = ACESFilmicToneMapping;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
@@ -149,9 +169,9 @@ export class Picture {
       this.direct.target,
       this.ropes.mesh,
       this.strokes.mesh,
-      this.paths.mesh,
       this.glows.points,
       this.built,
+      this.headset.rig,
     );
     this.camera.rotation.order = "YXZ";
   }
@@ -162,8 +182,9 @@ export class Picture {
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.ropes.pixels(width * ratio, height * ratio);
-    this.strokes.pixels(width * ratio, height * ratio);
-    this.paths.pixels(width * ratio, height * ratio);
+    // Marks keep their width on the screen, and in a picture that is drawn larger and made smaller.
+    const per = Math.min(1, ratio) * MARKS_NARROWER;
+    this.strokes.pixels(width * per, height * per);
     this.glows.scale(height * ratio);
   }
 
@@ -179,7 +200,7 @@ export class Picture {
   /**
    * A picture of what the eye sees, with all detail: drawn at twice its size, so that edges are smooth, and with shadows.
    */
-  async still(width: number, height: number, look: Look, now_ms: number): Promise<Blob | null> {
+  still(width: number, height: number, look: Look, now_ms: number): HTMLCanvasElement {
     const { renderer, direct } = this;
     const [ratio, casts] = [renderer.getPixelRatio(), direct.castShadow];
     const { width: before, height: tall } = renderer.getSize(new Vector2());
@@ -195,7 +216,14 @@ export class Picture {
     to?.drawImage(renderer.domElement, 0, 0, width, height);
     direct.castShadow = casts;
     this.resize(before, tall, ratio);
-    return new Promise((done) => small.toBlob(done, "image/png"));
+    return small;
+  }
+
+  /** Gives the graphics back; nothing is drawn after. */
+  dispose(): void {
+    this.clear();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
   }
 
   // --------------------------------------------------------------------------------------------------- building
@@ -314,7 +342,7 @@ export class Picture {
     outline: Pair[],
     index: number,
     [steel, panes]: [Mesh["material"], Mesh["material"]],
-  ): { arrangement: Arrangement; group: Group; lamps: Lamp[]; anchored: Lamp[] } {
+  ): Omit<Ship, "body" | "index"> {
     const arrangement = arrangementOf(vessel, outline);
     const paint: Paint =
       arrangement.kind === "tug" ? TUG_PAINT : (PAINTS[index % PAINTS.length] ?? TUG_PAINT);
@@ -325,6 +353,7 @@ export class Picture {
     group.add(hull, new Mesh(geometryOf(parts.panes), panes));
     return {
       arrangement,
+      blocks: blocksOf(arrangement),
       group,
       lamps: underWay(arrangement, false),
       anchored: atAnchor(arrangement),
@@ -419,6 +448,7 @@ export class Picture {
     this.shared.uLamps.value = light.lamps;
     this.direct.color = new Color(...direct);
     this.direct.intensity = 1;
+    this.direct.shadow.intensity = light.shadows;
     this.ambient.color = new Color(...dull(light.sky));
     this.ambient.groundColor = new Color(...light.ground);
     this.ambient.intensity = 1.5 + 0.6 * (1 - dim);
@@ -441,24 +471,26 @@ export class Picture {
     this.ground.position.y = -this.water_m;
     this.place(bodies, frame, share);
     this.fenders?.tick(frame.fenders, this.water_m);
-    this.aim(look, t_s);
+    if (this.headset.runs) {
+      // Level with the deck: the head looks up and down.
+      this.aim({ ...look, raise_rad: 0, panorama_rad: look.panorama_rad ?? 1 }, t_s);
+      this.headset.stand(this.camera, look.eye === "free");
+    } else this.aim(look, t_s);
     // Two strokes for an arrow.
     const arrows = 2 * (frame.contacts.length + hello.tugs.length);
-    this.strokes.room(hello.lines.length + arrows);
+    this.strokes.room(hello.lines.length + arrows + MOST_GHOSTS);
     this.strokes.begin();
-    this.paths.begin();
     this.labels = [];
     this.lines(frame, hello, look.marks);
     if (look.marks) this.mark(frame, hello, look);
     this.strokes.end();
-    this.paths.end();
     this.lights(frame, t_s);
     const { x, y, z } = this.camera.position;
     this.sea.tick([x, y, z], t_s, frame.wind);
     this.sea.wake(this.wakes(frame, bodies));
     this.dome.position.copy(this.camera.position);
     this.shadow(look);
-    this.renderer.render(this.scene, this.camera);
+    this.renderer.render(this.scene, this.headset.runs ? this.headset.camera : this.camera);
     this.triangles = this.renderer.info.render.triangles;
   }
 
@@ -572,7 +604,7 @@ export class Picture {
     const on = info && this.bodies[info.body];
     if (!info || !on) return false;
     const middle = middleOf(info);
-    const far = 5 + 3 * info.width_m;
+    const far = 4 + 2.2 * info.width_m;
     const place = (out: number, along: number, up: number) => {
       const [f, s] = turned(info.facing_rad, [out, along]);
       return new Vector3(...aboard([info.at_m[0] + f, info.at_m[1] + s], up)).applyMatrix4(
@@ -580,10 +612,25 @@ export class Picture {
       );
     };
     const { camera } = this;
-    camera.position.copy(place(0.3 * info.projection_m, -far, middle + 0.55 * far));
-    camera.lookAt(place(0.5 * info.projection_m, 0, middle));
-    camera.fov = deg(look.view_rad ?? 0.75);
+    camera.position.copy(place(0.2 * info.projection_m, -far, middle + 0.45 * far));
+    // Beyond the fender, so that the horizon is in the picture.
+    camera.lookAt(place(0.4 * info.projection_m, 0.7 * far, middle + 0.2));
+    camera.fov = deg(look.view_rad ?? 0.8);
     return true;
+  }
+
+  /** What stands in the picture, read back from the picture: tests compare it with the frames. */
+  shown(): Shown {
+    const ship = this.bodies[this.live.body()];
+    return {
+      tick: this.live.frame?.tick ?? -1,
+      north_m: ship ? this.origin[0] - ship.position.z : null,
+      east_m: ship ? this.origin[1] + ship.position.x : null,
+      heading_rad: ship ? -ship.rotation.y : null,
+      eye: this.camera.position.toArray(),
+      pressed_m: this.fenders?.pressed() ?? [],
+      labels: this.labels.map(({ text }) => text),
+    };
   }
 
   /** Direction in which the camera looks, from north [rad], its elevation, and its vertical angle of view. */
@@ -616,8 +663,11 @@ export class Picture {
       );
       // A rope of 1 MN is about 60 mm thick.
       const radius = 0.03 * Math.sqrt(info.breaking_n / 1e6);
-      this.ropes.add(points, linearOf(now.over_working ? 0xe05a2a : 0xcfc6a8), radius);
-      if (!marks || now.state !== "fast") return;
+      if (!marks || now.state !== "fast") {
+        this.ropes.add(points, linearOf(now.over_working ? 0xe05a2a : 0xcfc6a8), radius);
+        return;
+      }
+      // The mark stands in the line's place, so that what hides the line hides the mark.
       const share = now.tension_n / Math.max(1, info.working_n);
       this.stroke({ points, colour: colourOf(share), radius_m: 1.2 * radius });
       const middle = points[Math.floor(PIECES / 2)];
@@ -668,29 +718,44 @@ export class Picture {
     this.strokes.add(points, linearOf(colour), radius_m);
   }
 
+  /**
+   * How high the arrow of a push lies above the water [m]: over the deck of a quay or ship that pushes, over the mast of a tug,
+   * and over the fender, so that none of them hides the arrow.
+   */
+  private over(pusher: number, top_m: number): number {
+    const ship = this.ships.find(({ body }) => body === pusher)?.arrangement;
+    const deck_m = ship
+      ? ship.kind === "tug"
+        ? ship.mast_m
+        : ship.deck_m
+      : (this.decks[pusher] ?? QUAY_M) - this.water_m;
+    return Math.max(deck_m, top_m) + ARROW_OVER_M;
+  }
+
   /** Marks on request: the predicted path, and arrows of the forces of contacts and tugs. */
   private mark(frame: Frame, hello: Hello, look: Look): void {
     this.strokes.bright(this.light.exposure);
-    this.paths.bright(this.light.exposure);
     const path = this.live.prediction?.paths.find(({ vessel }) => vessel === look.vessel);
     const outline = hello.bodies[hello.vessels[look.vessel]?.body ?? -1]?.outline ?? [];
     if (path)
       for (const each of pathStrokes(path, outline, (at) => toPicture(this.origin, at, 0.4)))
-        this.paths.add(each.points, linearOf(each.colour), each.radius_m);
+        this.stroke(each);
     const isTug = (body: number) =>
       hello.vessels.some((vessel) => vessel.is_tug && vessel.body === body);
     for (const { bodies, fender, at_m, force_n } of frame.contacts) {
       const size_n = Math.hypot(...force_n);
       if (size_n < 500) continue;
       // The force on the ship: not on the quay, not on the tug.
-      const [first] = bodies;
+      const [first, second] = bodies;
       const onFirst = !(hello.bodies[first]?.fixed ?? true) && !isTug(first);
       const sign = onFirst ? 1 : -1;
       const info = fender === null ? undefined : hello.fenders[fender];
       const now = fender === null ? undefined : frame.fenders[fender];
       const fixed = info ? (hello.bodies[info.body]?.fixed ?? false) : false;
-      const up = info ? middleOf(info) - (fixed && !info.floating ? this.water_m : 0) : 2;
-      const at = toPicture(this.origin, at_m, up);
+      const top = info
+        ? middleOf(info) + info.height_m / 2 - (fixed && !info.floating ? this.water_m : 0)
+        : 2;
+      const at = toPicture(this.origin, at_m, this.over(onFirst ? second : first, top));
       const share = info && isTug(info.body) ? 0 : (now?.of_reaction ?? 0);
       for (const each of arrow(at, [sign * force_n[1], -sign * force_n[0]], colourOf(share)))
         this.stroke(each);
@@ -702,11 +767,20 @@ export class Picture {
       const now = frame.tugs[i];
       const on = this.bodies[hello.vessels[info.vessel]?.body ?? -1];
       if (!now || !on?.visible || now.force_n < 500) return;
-      const place = now.order === "pull" ? info.pull_at_m : info.push_at_m;
-      const at = this.worldOf(on, aboard(place, 2));
+      const pulls = now.order === "pull";
+      const body = hello.vessels[info.vessel]?.body ?? -1;
+      const mast_m = this.tugs[i]?.arrangement.mast_m ?? 0;
+      // A pull begins at the bitts; a push ends at the side, over the tug's mast.
+      const at = this.worldOf(
+        on,
+        pulls
+          ? aboard(info.pull_at_m, this.deck(body, info.pull_at_m) + ARROW_OVER_M)
+          : aboard(info.push_at_m, mast_m + ARROW_OVER_M),
+      );
       const towards = now.direction_rad - on.rotation.y;
       const vector: Pair = [Math.sin(towards) * now.force_n, -Math.cos(towards) * now.force_n];
-      for (const each of arrow(at, vector, colourOf(now.limited ? 1 : 0.5))) this.stroke(each);
+      for (const each of arrow(at, vector, colourOf(now.limited ? 1 : 0.5), pulls))
+        this.stroke(each);
       this.labels.push(tugLabel([at[0], at[1] + 1.5, at[2]], info.name, now.force_n));
     });
   }
@@ -715,7 +789,7 @@ export class Picture {
   labelled(): { x: number; y: number; text: string; level: Label["level"] }[] {
     const all = this.labels.flatMap(({ at, text, level }) => {
       const { x, y, z } = this.spot.set(...at).project(this.camera);
-      if (z > 1 || Math.abs(x) > 1 || Math.abs(y) > 1) return [];
+      if (z > 1 || Math.abs(x) > 1 || Math.abs(y) > 1 || this.isHidden(at)) return [];
       return [{ x: (x + 1) / 2, y: (1 - y) / 2, text, level }];
     });
     // Of labels that lie on each other the gravest is written.
@@ -724,6 +798,19 @@ export class Picture {
       if (shown.every(({ x, y }) => Math.abs(x - label.x) > 0.06 || Math.abs(y - label.y) > 0.045))
         shown.push(label);
     return shown;
+  }
+
+  /** Whether a ship stands between the eye and a place. */
+  private isHidden(at: Triple): boolean {
+    return [...this.ships, ...this.tugs].some(({ group, blocks }) => {
+      if (!group.visible) return false;
+      const aboard = this.inverse.copy(group.matrixWorld).invert();
+      const [eye, place] = [this.camera.position, this.spot.set(...at)].map((each): Triple => {
+        const { x, y, z } = this.eye.copy(each).applyMatrix4(aboard);
+        return [x, y, z];
+      }) as [Triple, Triple];
+      return blocks.some((block) => hides(block, eye, place));
+    });
   }
 
   private worldOf(group: Group, [x, y, z]: Triple): Triple {

@@ -1,4 +1,4 @@
-/** Mooring lines, towlines and chains as ribbons that face the eye, never thinner than a pixel. */
+/** Mooring lines, towlines, chains and marks as ribbons that face the eye, never thinner than a pixel. */
 import {
   BufferAttribute,
   BufferGeometry,
@@ -23,12 +23,7 @@ export class Ropes {
   private most = 0;
   private count = 0;
 
-  /** `mark`: marks shine by themselves; those that are `through` everything hide behind nothing. */
-  constructor(
-    sky: SkyUniforms & { uLamps: IUniform<number> },
-    mark: "through" | "behind" | null = null,
-  ) {
-    const through = mark === "through";
+  constructor(sky: SkyUniforms & { uLamps: IUniform<number> }) {
     this.room(16);
     const material = new ShaderMaterial({
       uniforms: {
@@ -37,9 +32,6 @@ export class Ropes {
         uShine: this.shine,
       },
       side: DoubleSide,
-      depthTest: !through,
-      depthWrite: !through,
-      transparent: through,
       vertexShader: /* glsl */ `
         attribute vec4 way; attribute vec4 look;
         uniform vec2 uSize;
@@ -64,7 +56,7 @@ export class Ropes {
           vec3 c = vLook * light * (0.55 + 0.45 * sqrt(max(0.0, 1.0 - vSide * vSide)));
           vec3 way = vAt - cameraPosition;
           float away = length(way);
-          if (uShine <= 0.0) c = mix(hazeColour(way / max(away, 0.01)), c, exp(-uHaze * uHaze * away * away));
+          if (uShine <= 0.0) c = mix(hazeColour(way / max(away, 0.01)), c, throughHaze(away));
           gl_FragColor = vec4(c, 1.0);
           #include <tonemapping_fragment>
           #include <colorspace_fragment>
@@ -72,10 +64,9 @@ export class Ropes {
     });
     this.mesh = new Mesh(this.geometry, material);
     this.mesh.frustumCulled = false;
-    if (through) this.mesh.renderOrder = 20;
   }
 
-  /** How bright marks are: the same on the screen at every exposure. */
+  /** Marks shine by themselves: as bright on the screen at every exposure. */
   bright(exposure: number): void {
     this.shine.value = 0.85 / exposure;
   }

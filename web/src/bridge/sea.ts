@@ -328,7 +328,7 @@ void main() {
   colour += uDirect * min(2.5, exp(-t2 / spread) / (spread * 900.0)) * smoothstep(-0.005, 0.02, uDisc.y) * (0.25 + fresnel * 3.0) * 0.6;
   vec3 white = uDirect * (0.1 + 0.16 * max(uFrom.y, 0.0)) + uHorizon * 0.35 + uZenith * 0.3;
   colour = mix(colour, white, clamp(foam, 0.0, 1.0) * 0.8);
-  float clear = exp(-uHaze * uHaze * away * away);
+  float clear = throughHaze(away);
   colour = mix(hazeColour(view), colour, clear);
   gl_FragColor = vec4(colour, 1.0);
   #include <tonemapping_fragment>

@@ -12,9 +12,9 @@ const BUFF = 0xc79a55;
 const HATCH = 0x705448;
 
 export const PAINTS: Paint[] = [
-  { bottom: 0x7d2a22, side: 0x232c36, deck: 0x6a4a42, house: WHITE, funnel: 0x1f4d7a },
-  { bottom: 0x7d2a22, side: 0x16304f, deck: 0x4f6154, house: WHITE, funnel: 0xb5552a },
-  { bottom: 0x74302a, side: 0x2b2d2f, deck: 0x5f6a60, house: 0xe6e2d4, funnel: 0x29543c },
+  { bottom: 0x7d2a22, side: 0x36414d, deck: 0x6a4a42, house: WHITE, funnel: 0x1f4d7a },
+  { bottom: 0x7d2a22, side: 0x1f3f66, deck: 0x4f6154, house: WHITE, funnel: 0xb5552a },
+  { bottom: 0x74302a, side: 0x3c3f42, deck: 0x5f6a60, house: 0xe6e2d4, funnel: 0x29543c },
 ];
 
 /** Top of the bottom paint above the water that the ship floats at [m]: her load line lies a little higher. */

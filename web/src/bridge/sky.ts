@@ -52,6 +52,8 @@ vec3 skyColour(vec3 d) {
   c += uGlow * (0.16 * pow(near, 4.0) + 0.45 * pow(near, 24.0)) * (1.0 - 0.7 * up);
   return c;
 }
+// The share of a colour that comes through so much haze.
+float throughHaze(float away) { return exp(-uHaze * away); }
 vec3 hazeColour(vec3 d) { return skyColour(normalize(vec3(d.x, 0.012, d.z))); }
 `;
 
@@ -105,7 +107,7 @@ export function sky(uniforms: SkyUniforms): Mesh {
         c += uDirect * (smoothstep(0.99996, 0.99999, disc) * 6.0 * step(0.0, d.y));
         // Haze as thick as the way through it: a layer of a kilometre.
         float through = uHaze * 1000.0 / max(0.02, d.y + 0.02);
-        c = mix(hazeColour(d), c, clamp(exp(-through * through * 0.4), 0.0, 1.0));
+        c = mix(hazeColour(d), c, clamp(exp(-through * 0.4), 0.0, 1.0));
         gl_FragColor = vec4(c, 1.0);
         #include <tonemapping_fragment>
         #include <colorspace_fragment>
