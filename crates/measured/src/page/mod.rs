@@ -2,6 +2,7 @@
 
 mod approach;
 mod cloud;
+mod map;
 mod used;
 
 use fenderline_report::plot::{counted, fixed, page as whole_page};
@@ -38,6 +39,7 @@ pub fn page(of: &Page<'_>, berthings: &Berthings) -> String {
         (remarks(berthings))
         h2 { "Berthings" }
         (list(berthings))
+        (map::section(berthings))
         (cloud::section(berthings))
         (used::section(berthings))
         h2 { "Each approach" }
