@@ -135,7 +135,7 @@ pub fn berthings(
         let mut strangers: Vec<String> = Vec::new();
         let mut own = Remarks::of(logs.logs.first().map_or("", |log| log.file.as_str()));
         for log in &logs.logs {
-            if log.kind == LogKind::Ais && !is_expected(log, mapping, berths.plain()) {
+            if log.kind == LogKind::Ais && !is_expected(log, mapping, &berths.plain().axes) {
                 strangers.push(log.ship.clone());
                 continue;
             }
@@ -161,11 +161,11 @@ pub fn berthings(
 }
 
 /// Whether a ship of AIS may be one that berths: the mapping names her, or she is as long as the scenario's ship.
-fn is_expected(log: &Log, mapping: &Mapping, berth: &Berth) -> bool {
+pub(crate) fn is_expected(log: &Log, mapping: &Mapping, axes: &BerthAxes) -> bool {
     if !mapping.ships.is_empty() {
         return mapping.ship_called(&log.ship, log.mmsi).is_some();
     }
-    let length_m = berth.axes.hull_length_m();
+    let length_m = axes.hull_length_m();
     log.extent_m.is_some_and(|extent| (extent[0] + extent[1] - length_m).abs() < 0.15 * length_m)
 }
 
