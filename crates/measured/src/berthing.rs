@@ -14,7 +14,7 @@ use crate::geometry::BerthAxes;
 use crate::log::{Log, LogKind, LogsRead};
 use crate::mapping::Mapping;
 use crate::remark::{Remark, Remarks, Weight};
-use crate::run::{Rerun, rerun};
+use crate::run::{Followed, Rerun, follow, rerun};
 use crate::stretch::{Stretch, stretches};
 
 /// A scenario of the berth for some ship.
@@ -86,6 +86,8 @@ pub struct Berthing {
     pub flags: Vec<Flag>,
     /// The run from the measured state, or why there is none.
     pub run: Result<Rerun, String>,
+    /// The run that a force kept on the measured path, or why there is none; `None` if the mapping asks for none.
+    pub followed: Option<Result<Followed, String>>,
     /// Values of the columns to keep, at the touch.
     pub kept: Vec<String>,
     /// Curves of the approach for the report.
@@ -330,6 +332,8 @@ fn one(
             }
         }
     }
+    let followed =
+        mapping.follow_from_m.map(|from_m| follow(&berth.setup, way, axes, &touch, from_m));
     let half_m = 0.5 * axes.hull_length_m();
     let middle_m = touch.motion.lie.along_m;
     Ok(Berthing {
@@ -343,6 +347,7 @@ fn one(
         zero_m: way.zero_m,
         flags,
         run,
+        followed,
         kept: log.kept[way.channels.rows[way.touch]].clone(),
         curves: curves(way, axes, &touch),
         until_s: way.channels.t_s[way.channels.t_s.len() - 1],

@@ -44,5 +44,5 @@ pub use log::{Log, LogKind, LogRow, LogsRead, Quantity, read_log};
 pub use mapping::{Mapping, Sensor, ShipOfLog, mapping_schema};
 pub use page::{Page, page};
 pub use remark::{Remark, Weight};
-pub use run::{FenderUse, Rerun};
+pub use run::{FenderUse, Followed, Rerun};
 pub use table::{table, time_text};

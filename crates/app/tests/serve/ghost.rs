@@ -10,11 +10,11 @@ fn example(name: &str) -> String {
 
 #[test]
 fn a_measured_track_is_in_the_greeting_and_stays_in_the_recording() {
-    let [log, mapping] = ["pilot_unit.nmea", "pilot_unit.toml"].map(example);
+    let [log, mapping] = ["laser.csv", "laser.toml"].map(example);
     let options = ["--ghost", &log, "--ghost-mapping", &mapping, "--ghost-touch", "100"];
     let server = Server::start(&options);
     let ghost = block_on(async { Client::join(&server, "observer").await.hello["ghost"].clone() });
-    assert_eq!(ghost["file"], "pilot_unit.nmea");
+    assert_eq!(ghost["file"], "laser.csv");
     assert!((ghost["touch_s"].as_f64().expect("a touch") - 100.0).abs() < 1e-6, "{ghost}");
     let points = ghost["points"].as_array().expect("a track");
     assert!((2..=2000).contains(&points.len()), "{}", points.len());
@@ -31,7 +31,7 @@ fn a_measured_track_is_in_the_greeting_and_stays_in_the_recording() {
 
 #[test]
 fn a_ghost_that_cannot_be_shown_is_refused_with_its_file() {
-    let [log, mapping] = ["pilot_unit.nmea", "pilot_unit.toml"].map(example);
+    let [log, mapping] = ["laser.csv", "laser.toml"].map(example);
     let with = |more: &[&str]| {
         let all: Vec<&str> = ["--ghost", log.as_str(), "--ghost-mapping", mapping.as_str()]
             .into_iter()
@@ -40,10 +40,7 @@ fn a_ghost_that_cannot_be_shown_is_refused_with_its_file() {
         server::refused(&all)
     };
     for (more, words) in [
-        (
-            &["--ghost-berthing", "7"][..],
-            "pilot_unit.nmea: number 7 is wanted, but the log has 1 track",
-        ),
+        (&["--ghost-berthing", "7"][..], "laser.csv: number 7 is wanted, but the log has 5 tracks"),
         (&["--ghost-touch", "-1e6"], "s before the session begins"),
         (&["--ghost-touch", "nan"], "not a time"),
     ] {
@@ -52,6 +49,9 @@ fn a_ghost_that_cannot_be_shown_is_refused_with_its_file() {
     }
     assert!(server::refused(&["--ghost-touch", "5"]).contains("--ghost"));
     assert!(server::refused(&["--ghost", "none.csv"]).contains("none.csv"));
-    // Without the origin of the mapping, nobody knows where the track is.
-    assert!(server::refused(&["--ghost", &log]).contains("pilot_unit.nmea"));
+    // Without the mapping, nobody knows where the sensors stand.
+    assert!(server::refused(&["--ghost", &log]).contains("laser.csv: nobody knows where"));
+    let (track, by) = (example("pilot_unit.nmea"), example("pilot_unit.toml"));
+    let far = ["--ghost", &track, "--ghost-mapping", &by, "--ghost-touch", "9"];
+    assert!(server::refused(&far).contains("does not touch a fender"));
 }
