@@ -55,13 +55,19 @@ export function underTest(): string {
  * and reads the links that it prints. The tugmaster's link is that of the first tug. `set`: keys of the scenario to
  * override.
  */
-export async function serve(set: string[] = [], scenario = SCENARIO): Promise<Served> {
+export async function serve(
+  set: string[] = [],
+  scenario = SCENARIO,
+  /** More options of the command. */
+  more: string[] = [],
+): Promise<Served> {
   const program = underTest();
   const sessions = mkdtempSync(join(tmpdir(), "fenderline-sessions-"));
   const server = spawn(program, [
     "serve",
     scenario,
     ...set.flatMap((key) => ["--set", key]),
+    ...more,
     "--port",
     "0",
     "--page",

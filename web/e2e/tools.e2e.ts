@@ -5,13 +5,27 @@ import { afterAll, beforeAll, expect, test } from "vitest";
 import { type Browser, type Served, SHOTS, browse, open, serve } from "./browser";
 import { labels } from "./faults";
 
+const PATIENT = { timeout: 30_000 };
+/** The pilot's ship in the scenario. */
+const SHIP = "ship";
+
+/** A docking log of a made-up berth and its mapping, without their endings. */
+const MEASURED = new URL("../../examples/measured/laser", import.meta.url).pathname;
+
 const errors: string[] = [];
 let served: Served;
 let browser: Browser;
 let page: Page;
 
 beforeAll(async () => {
-  served = await serve();
+  served = await serve([], undefined, [
+    "--ghost",
+    `${MEASURED}.csv`,
+    "--ghost-mapping",
+    `${MEASURED}.toml`,
+    "--ghost-touch",
+    "3600",
+  ]);
   browser = await browse({ width: 1366, height: 768 }, true);
   page = await open(browser.context, served, "pilot", errors);
 });
@@ -28,6 +42,11 @@ async function plan(): Promise<{ x: number; y: number; scale: number }> {
 }
 
 const texts = async () => (await labels(page)).texts;
+
+test("the plan shows the measured ship beside the simulated one, with the time to her touch", async () => {
+  const shown = async () => (await texts()).find((text) => text.startsWith("measured "));
+  await expect.poll(shown, PATIENT).toMatch(/^measured Made Up Star: begins in 0:5\d:\d\d$/);
+});
 
 test("two clicks, or two touches, measure bearing and distance; each tool is turned on and off", async () => {
   await page.getByRole("button", { name: "Measure: tools (I)" }).click();
@@ -70,6 +89,64 @@ test("two clicks, or two touches, measure bearing and distance; each tool is tur
   await page.getByRole("button", { name: "Measure: tools (I)" }).click();
   expect(errors).toEqual([]);
 });
+
+/** Messages that a program of the test has got, and the way to send it some. */
+interface Program extends Window {
+  socket: WebSocket;
+  heard: { type: string; id?: number; text?: string; reason?: string }[];
+}
+
+test("a person takes the helm back from a program by one press, and the program is told", async () => {
+  // A small client of the protocol, which says by its address that it is a program.
+  const program = await browser.context.newPage();
+  await program.goto(`${served.url}/?token=${encodeURIComponent(served.tokens.observer ?? "")}`);
+  await program.evaluate((token) => {
+    const own = window as unknown as Program;
+    own.heard = [];
+    own.socket = new WebSocket(
+      `${location.origin.replace("http", "ws")}/live?token=${encodeURIComponent(token)}&program=1`,
+    );
+    own.socket.addEventListener("message", ({ data }) => {
+      const message = JSON.parse(String(data)) as Program["heard"][number];
+      if (["ack", "refused", "notice"].includes(message.type)) own.heard.push(message);
+    });
+    return new Promise((opened) => own.socket.addEventListener("open", () => opened(null)));
+  }, served.tokens.pilot ?? "");
+  const command = (id: number, action: object) =>
+    program.evaluate(
+      ([id, action]) =>
+        (window as unknown as Program).socket.send(JSON.stringify({ type: "command", id, action })),
+      [id, action] as const,
+    );
+  const heard = () => program.evaluate(() => (window as unknown as Program).heard);
+  const answer = async (id: number) => (await heard()).find((of) => of.id === id)?.type;
+  await command(1, { do: "name", name: "autopilot" });
+  await command(2, { do: "rudder", vessel: SHIP, angle_rad: 0.1 });
+  await expect.poll(() => answer(2), PATIENT).toBe("ack");
+  const helm = page.getByRole("group", { name: /^Helm of / });
+  const holder = helm.getByText("autopilot (pilot, program) has the helm");
+  await holder.waitFor(PATIENT);
+  // One press: the person has the helm, and the program is told and obeyed no more.
+  await page.bringToFront();
+  await page.getByRole("button", { name: "Take the helm" }).click();
+  await page
+    .getByRole("button", { name: /^Release/ })
+    .first()
+    .waitFor(PATIENT);
+  await holder.waitFor({ state: "hidden", ...PATIENT });
+  const told = async () =>
+    (await heard()).some((of) => /has taken the control from you/.test(JSON.stringify(of)));
+  await expect.poll(told, PATIENT).toBe(true);
+  await command(3, { do: "rudder", vessel: SHIP, angle_rad: -0.3 });
+  await expect.poll(() => answer(3), PATIENT).toBe("refused");
+  await page.getByRole("button", { name: "Mid: rudder amidships (M)" }).click();
+  await program.close();
+  await page
+    .getByRole("button", { name: /^Release/ })
+    .first()
+    .click();
+  expect(errors).toEqual([]);
+}, 120_000);
 
 test("sound waits for the first touch, answers engine orders, repeats alarms, and says when it is muted", async () => {
   await page.reload();

@@ -189,6 +189,8 @@ export type Hello = {
   daylight: DaylightInfo | null;
   /** The features of the chart, which pages draw behind ships and quays. */
   chart: Array<ChartInfo>;
+  /** A measured ship, which takes part in nothing physical; absent if the session has none. */
+  ghost?: Ghost;
   /** The exercise of the pilot; `null` if the scenario has no exercise. */
   exercise: ExerciseInfo | null;
   /** The link of each role, as a path on this server. Only instructors get the links. */
@@ -573,6 +575,20 @@ export type TrafficInfo = {
   name: string;
   /** Corners of the ship's outline about midship (m). */
   outline: Array<[number, number]>;
+};
+
+/** The track of a measured ship on the clock of the session. The recording of the session keeps the track. */
+export type Ghost = {
+  /** Name of the ship in the log; empty if the log names none. */
+  ship: string;
+  /** Name of the log, without folders. */
+  file: string;
+  /** Corners of the hull in the ship's axes. */
+  outline: Array<[number, number]>;
+  /** The track, by time; pages go straight from point to point. */
+  points: PathPoint[];
+  /** Time of the first touch of a fender (s); `null` if the track has none. */
+  touch_s: number | null;
 };
 
 /** A frame without its `events`, because each client gets other events. */

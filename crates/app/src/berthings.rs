@@ -18,7 +18,7 @@ use crate::output::{admit, write_whole};
 use crate::terminal::{notice, say};
 
 /// Largest log that is read (bytes).
-const LARGEST_BYTES: u64 = 256 << 20;
+pub(crate) const LARGEST_BYTES: u64 = 256 << 20;
 
 /// Reads logs, finds the berthings in them, and writes table and report.
 ///
@@ -65,7 +65,11 @@ pub(crate) fn berthings(args: &BerthingsArgs) -> Result<(), Failure> {
     say(&printed(args, &found))
 }
 
-fn mapping(path: Option<&Path>) -> Result<Mapping, Failure> {
+/// The mapping of a file; the default without a file.
+///
+/// # Errors
+/// Fails if the file cannot be read, or for the first mistake in the mapping.
+pub(crate) fn mapping(path: Option<&Path>) -> Result<Mapping, Failure> {
     let Some(path) = path else { return Ok(Mapping::default()) };
     let text =
         read_text(path).map_err(|why| Failure::input(format_args!("error: cannot read {why}")))?;
@@ -73,7 +77,13 @@ fn mapping(path: Option<&Path>) -> Result<Mapping, Failure> {
 }
 
 /// The place of the scenario's origin on the earth: by the mapping, or else by the scenario's chart.
-fn origin(mapping: &Mapping, scenario: &Scenario) -> Result<Option<ChartOrigin>, String> {
+///
+/// # Errors
+/// The place is not on the earth.
+pub(crate) fn origin(
+    mapping: &Mapping,
+    scenario: &Scenario,
+) -> Result<Option<ChartOrigin>, String> {
     let of_chart = scenario.setup.world.chart.origin.map(|at| [at.latitude_rad, at.longitude_rad]);
     let Some([latitude_rad, longitude_rad]) = mapping.origin_rad.or(of_chart) else {
         return Ok(None);

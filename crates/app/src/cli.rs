@@ -338,6 +338,27 @@ pub(crate) struct ServeArgs {
     /// Override one key of the scenario, such as environment.wind.speed="9 m/s"; repeatable
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub(crate) set: Vec<String>,
+    #[command(flatten)]
+    pub(crate) ghost: GhostArgs,
+}
+
+/// A measured ship beside the simulated ones.
+#[derive(Debug, Args)]
+pub(crate) struct GhostArgs {
+    /// Log of a measured ship, whose dashed outline the plan shows beside the simulated ships: a docking log, a track, NMEA
+    /// 0183 or AIS sentences, as for `berthings`. She takes part in nothing physical
+    #[arg(long, value_name = "LOG", value_parser = input_file())]
+    pub(crate) ghost: Option<PathBuf>,
+    /// What the columns of the log mean, as for `berthings` [default: all that can be guessed is guessed]
+    #[arg(long, value_name = "MAPPING.toml", requires = "ghost", value_parser = input_file())]
+    pub(crate) ghost_mapping: Option<PathBuf>,
+    /// Number of the berthing in the log, in the order of time
+    #[arg(long, value_name = "N", requires = "ghost", default_value_t = 1)]
+    pub(crate) ghost_berthing: usize,
+    /// Time of the session at which the measured ship first touches a fender (s) [default: the first row of her way is at
+    /// the start of the session]
+    #[arg(long, value_name = "S", requires = "ghost", allow_hyphen_values = true)]
+    pub(crate) ghost_touch: Option<f64>,
 }
 
 #[derive(Debug, Args)]

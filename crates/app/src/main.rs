@@ -18,6 +18,7 @@ mod failure;
 mod fender;
 mod fenders;
 mod fmu;
+mod ghost;
 mod init;
 mod interrupt;
 mod limit;

@@ -6,6 +6,7 @@ use crate::cli::{ReplayArgs, ServeArgs};
 use crate::debrief::debrief;
 use crate::engine_dump;
 use crate::failure::Failure;
+use crate::ghost::ghost;
 use crate::interrupt::stop_on_interrupt;
 use crate::progress::with_progress;
 use crate::terminal::{notice, remark, say};
@@ -13,11 +14,12 @@ use crate::terminal::{notice, remark, say};
 /// Runs the live server until it is interrupted.
 ///
 /// # Errors
-/// Fails if a scenario, an address or a web page cannot be used, or if the port is taken.
+/// Fails if a scenario, a measured track, an address or a web page cannot be used, or if the port is taken.
 pub(crate) fn serve(args: &ServeArgs) -> Result<(), Failure> {
     let options = Options {
         scenario: args.scenario.clone(),
         set: args.set.clone(),
+        ghost: ghost(args)?,
         bind: args.bind,
         port: args.port,
         allow_remote: args.allow_remote,

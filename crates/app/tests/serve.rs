@@ -2,6 +2,7 @@
 
 mod alarms;
 mod files;
+mod ghost;
 mod instruments;
 mod mooring;
 mod people;

@@ -7,6 +7,7 @@ use ts_rs::TS;
 
 use crate::action::{AnchorFault, CommandLimits, OtherAction};
 use crate::approach::Light;
+use crate::ghost::Ghost;
 pub use crate::pair::Pair;
 use crate::request::Control;
 
@@ -58,6 +59,10 @@ pub struct Hello<'a> {
     pub daylight: Option<DaylightInfo>,
     /// The features of the chart, which pages draw behind ships and quays.
     pub chart: &'a [ChartInfo],
+    /// A measured ship, which takes part in nothing physical; absent if the session has none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, ts(optional))]
+    pub ghost: Option<&'a Ghost>,
     /// The exercise of the pilot; `null` if the scenario has no exercise.
     pub exercise: Option<ExerciseInfo>,
     /// The link of each role, as a path on this server. Only instructors get the links.

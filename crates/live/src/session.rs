@@ -15,6 +15,7 @@ use crate::cast::Cast;
 use crate::checkpoints::Checkpoints;
 use crate::exercise;
 use crate::frame;
+use crate::ghost::GhostError;
 use crate::happening;
 use crate::info::Info;
 use crate::limits::{
@@ -85,6 +86,8 @@ pub enum SessionError {
     Setup(SetupError),
     /// The scenario, with all files that it names, is too large for the first line of a recording.
     TooLarge,
+    /// The measured ship beside the simulated ships cannot be shown.
+    Ghost(GhostError),
 }
 
 /// Why a step failed.
@@ -101,6 +104,7 @@ impl fmt::Display for SessionError {
         match self {
             SessionError::Scenario(error) => error.fmt(f),
             SessionError::Setup(error) => error.fmt(f),
+            SessionError::Ghost(error) => error.fmt(f),
             SessionError::TooLarge => write!(
                 f,
                 "the scenario with all files that it names is larger than {} MiB: it cannot be recorded",
@@ -129,6 +133,9 @@ impl Session {
     /// # Errors
     /// Fails for a scenario that is invalid, cannot be simulated, or is too large to be recorded.
     pub fn open(source: Source) -> Result<Session, SessionError> {
+        if let Some(ghost) = &source.ghost {
+            ghost.check().map_err(SessionError::Ghost)?;
+        }
         let writer = Writer::begin(&source).ok_or(SessionError::TooLarge)?;
         let mut scenario = source.scenario().map_err(|e| SessionError::Scenario(Box::new(e)))?;
         // The instructor's script takes over the scenario's planned changes, so that the instructor can see and cancel

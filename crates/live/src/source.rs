@@ -5,9 +5,11 @@ use std::collections::BTreeMap;
 use fenderline_scenario::{Override, Scenario, ScenarioError};
 use serde::{Deserialize, Serialize};
 
+use crate::ghost::Ghost;
+
 /// A self-contained scenario: its text and the texts of the files that it names. A recording contains it. A recording
 /// that contains a self-contained scenario can be replayed after the scenario's files have changed.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Source {
     /// Name of the scenario's file, without folders.
     pub file: String,
@@ -17,6 +19,9 @@ pub struct Source {
     pub files: BTreeMap<String, String>,
     /// Keys of the scenario to override, each as `KEY=VALUE`.
     pub set: Vec<String>,
+    /// A measured ship that pages show beside the simulated ships.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ghost: Option<Ghost>,
 }
 
 impl Source {
@@ -37,7 +42,7 @@ impl Source {
             files.insert(name.to_owned(), text.clone());
             Ok(text)
         })?;
-        Ok((Source { file: file.to_owned(), text, files, set }, scenario))
+        Ok((Source { file: file.to_owned(), text, files, set, ghost: None }, scenario))
     }
 
     /// Parses the scenario.

@@ -12,6 +12,7 @@ use ts_rs::{Config, TS};
 
 use crate::action::{AnchorFault, CommandLimits, OtherAction};
 use crate::approach::Light;
+use crate::ghost::Ghost;
 use crate::message;
 use crate::request::{Conduct, Control, Creation};
 
@@ -248,6 +249,7 @@ fn protocol() -> String {
         BollardInfo,
         TugInfo,
         TrafficInfo,
+        Ghost,
         Frame,
         RunState,
         OpeningNow,

@@ -102,6 +102,7 @@ impl Watched {
             sea: &info.sea,
             daylight: info.daylight,
             chart: &info.chart,
+            ghost: None,
             exercise: self.exercise().map(|of| exercise::info(of, self.simulation().setup())),
             links: None,
             library: None,

@@ -14,7 +14,7 @@ use crate::geometry::BerthAxes;
 use crate::log::{Log, LogKind, LogsRead};
 use crate::mapping::Mapping;
 use crate::remark::{Remark, Remarks, Weight};
-use crate::run::{Rerun, rerun};
+use crate::run::{Followed, Rerun, follow, rerun};
 use crate::stretch::{Stretch, stretches};
 
 /// A scenario of the berth for some ship.
@@ -86,6 +86,8 @@ pub struct Berthing {
     pub flags: Vec<Flag>,
     /// The run from the measured state, or why there is none.
     pub run: Result<Rerun, String>,
+    /// The run that a force kept on the measured path, or why there is none; `None` if the mapping asks for none.
+    pub followed: Option<Result<Followed, String>>,
     /// Values of the columns to keep, at the touch.
     pub kept: Vec<String>,
     /// Curves of the approach for the report.
@@ -135,7 +137,7 @@ pub fn berthings(
         let mut strangers: Vec<String> = Vec::new();
         let mut own = Remarks::of(logs.logs.first().map_or("", |log| log.file.as_str()));
         for log in &logs.logs {
-            if log.kind == LogKind::Ais && !is_expected(log, mapping, berths.plain()) {
+            if log.kind == LogKind::Ais && !is_expected(log, mapping, &berths.plain().axes) {
                 strangers.push(log.ship.clone());
                 continue;
             }
@@ -161,11 +163,11 @@ pub fn berthings(
 }
 
 /// Whether a ship of AIS may be one that berths: the mapping names her, or she is as long as the scenario's ship.
-fn is_expected(log: &Log, mapping: &Mapping, berth: &Berth) -> bool {
+pub(crate) fn is_expected(log: &Log, mapping: &Mapping, axes: &BerthAxes) -> bool {
     if !mapping.ships.is_empty() {
         return mapping.ship_called(&log.ship, log.mmsi).is_some();
     }
-    let length_m = berth.axes.hull_length_m();
+    let length_m = axes.hull_length_m();
     log.extent_m.is_some_and(|extent| (extent[0] + extent[1] - length_m).abs() < 0.15 * length_m)
 }
 
@@ -330,6 +332,8 @@ fn one(
             }
         }
     }
+    let followed =
+        mapping.follow_from_m.map(|from_m| follow(&berth.setup, way, axes, &touch, from_m));
     let half_m = 0.5 * axes.hull_length_m();
     let middle_m = touch.motion.lie.along_m;
     Ok(Berthing {
@@ -343,6 +347,7 @@ fn one(
         zero_m: way.zero_m,
         flags,
         run,
+        followed,
         kept: log.kept[way.channels.rows[way.touch]].clone(),
         curves: curves(way, axes, &touch),
         until_s: way.channels.t_s[way.channels.t_s.len() - 1],

@@ -6,7 +6,7 @@ use crate::estimate::channels::Source;
 use crate::estimate::find::Way;
 use crate::estimate::state::motion_at;
 use crate::estimate::touch::Touch;
-use crate::geometry::BerthAxes;
+use crate::geometry::{BerthAxes, Lie};
 
 /// The curves begin this many bandwidths before the touch.
 const BEFORE: f64 = 8.0;
@@ -33,6 +33,8 @@ pub struct Curves {
     pub speed_low_mps: Line,
     /// See `speed_low_mps`.
     pub speed_high_mps: Line,
+    /// Where the ship lies over the time from the touch (s) by the parabolas; the last of them is the touch.
+    pub lies: Vec<(f64, Lie)>,
 }
 
 /// The curves of a way.
@@ -69,6 +71,7 @@ pub(crate) fn curves(way: &Way, axes: &BerthAxes, touch: &Touch) -> Curves {
         let to_s = lesser(at_s + 0.5 * touch.bandwidth_s, touch.t_s);
         let Some(of) = channels.parabolas(to_s - touch.bandwidth_s, to_s, at_s) else { continue };
         let Some(motion) = motion_at(channels, axes, &of, at_s) else { continue };
+        curves.lies.push((since_s, motion.lie));
         if let Some(nearest) = axes.nearest(&motion.lie) {
             curves.gap_m.push((since_s, nearest.gap_m));
         }

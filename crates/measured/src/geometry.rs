@@ -96,6 +96,14 @@ impl BerthAxes {
             let name = &setup.bodies[berthing.ship].name;
             return Err(format!("the [berthing] of the scenario is about the body `{name}`"));
         }
+        BerthAxes::of_ship(setup, ship)
+    }
+
+    /// The berth of a set-up for the body with the index `ship`.
+    ///
+    /// # Errors
+    /// The set-up has no fenders on a fixed body.
+    pub fn of_ship(setup: &Setup, ship: usize) -> Result<BerthAxes, String> {
         let is_fixed = |body: usize| setup.bodies[body].is_fixed() && body != ship;
         let berth = Berth::of(setup, ship, is_fixed)
             .ok_or("the scenario of the berth has no fenders on a fixed body")?;
@@ -172,6 +180,15 @@ impl BerthAxes {
         }
     }
 
+    /// Heading of a ship at an angle to the quay, from 0 to 2π (rad).
+    #[must_use]
+    pub fn heading(&self, angle_rad: f64) -> f64 {
+        let along_rad = libm::atan2(self.along.y, self.along.x);
+        let turn = 2.0 * PI;
+        let rest = libm::fmod(along_rad + self.hand * angle_rad, turn);
+        if rest < 0.0 { rest + turn } else { rest }
+    }
+
     /// Rate of turn, positive to starboard, of a rate of the angle (rad/s).
     #[must_use]
     pub fn rate_of_turn(&self, angle_radps: f64) -> f64 {
@@ -184,6 +201,27 @@ impl BerthAxes {
         let (sin, cos) = (libm::sin(lie.angle_rad), libm::cos(lie.angle_rad));
         let inward = self.hand * at.y;
         [lie.along_m + at.x * cos - inward * sin, lie.off_m - (at.x * sin + inward * cos)]
+    }
+
+    /// Point in the ship's axes of a place along and off the quay (m).
+    #[must_use]
+    pub fn in_ship(&self, lie: &Lie, at: [f64; 2]) -> Vec2 {
+        let (sin, cos) = (libm::sin(lie.angle_rad), libm::cos(lie.angle_rad));
+        let (along_m, inward_m) = (at[0] - lie.along_m, lie.off_m - at[1]);
+        let forward_m = along_m * cos + inward_m * sin;
+        vec2(forward_m, self.hand * (inward_m * cos - along_m * sin))
+    }
+
+    /// Corners of the hull in the ship's axes (m).
+    #[must_use]
+    pub fn hull(&self) -> &[Vec2] {
+        &self.hull_m
+    }
+
+    /// Corners of the hull of a ship, earth-fixed (m).
+    #[must_use]
+    pub fn hull_on_earth(&self, lie: &Lie) -> Vec<Vec2> {
+        self.hull_m.iter().map(|corner| self.from_axes(self.point(lie, *corner))).collect()
     }
 
     /// Place forward of the centre of gravity (m), and speed towards the quay (m/s), of the point of a ship that is at
@@ -307,6 +345,12 @@ impl BerthAxes {
     pub fn face_width_m(&self, fender: usize) -> f64 {
         let face = self.faces.iter().find(|face| face.fender == fender);
         face.map_or(0.0, |face| 2.0 * face.half_width_m)
+    }
+
+    /// Number of the fenders of the berth.
+    #[must_use]
+    pub fn fenders(&self) -> usize {
+        self.faces.len()
     }
 
     /// Length of the hull (m).

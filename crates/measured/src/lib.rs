@@ -14,6 +14,7 @@
 //! | parabolas through the readings before the touch | [`Parabola`] |
 //! | state at the touch, with standard deviations | `estimate/touch.rs` |
 //! | distances compared with the log's own speeds and angle | `estimate/checks.rs` |
+//! | a track for a live session, without a run | [`ghost()`] |
 //! | the run that starts some metres off, driven by nothing but the water | `run` |
 #![forbid(unsafe_code)]
 
@@ -22,6 +23,7 @@ mod curves;
 mod estimate;
 mod flag;
 mod geometry;
+mod ghost;
 mod log;
 mod mapping;
 mod page;
@@ -37,9 +39,10 @@ pub use estimate::parabola::{FEWEST, Parabola};
 pub use estimate::touch::Touch;
 pub use flag::Flag;
 pub use geometry::{BerthAxes, Lie, Motion, Nearest};
+pub use ghost::{GhostError, GhostTrack, GhostWanted, ghost};
 pub use log::{Log, LogKind, LogRow, LogsRead, Quantity, read_log};
 pub use mapping::{Mapping, Sensor, ShipOfLog, mapping_schema};
 pub use page::{Page, page};
 pub use remark::{Remark, Weight};
-pub use run::{FenderUse, Rerun};
+pub use run::{FenderUse, Followed, Rerun};
 pub use table::{table, time_text};

@@ -236,7 +236,51 @@ fn columns(berthings: &Berthings) -> Vec<Column> {
             run_of(own).and_then(most_used).map_or(f64::NAN, |most| 100.0 * most.2)
         }),
     ]);
+    if berthings.all.iter().any(|own| own.followed.is_some()) {
+        all.extend(of_followed());
+    }
     all.extend(of_fenders(berthings));
+    all
+}
+
+/// Columns of the run along the measured path.
+fn of_followed() -> Vec<Column> {
+    let of = |own: &Berthing| own.followed.as_ref()?.as_ref().ok().cloned();
+    let mut all = vec![
+        number(
+            "followed_from",
+            "m",
+            "distance from the fenders at which the run along the measured path begins",
+            move |_, own| of(own).map_or(f64::NAN, |run| run.from_m),
+        ),
+        number(
+            "followed_for",
+            "s",
+            "duration of the run along the measured path",
+            move |_, own| of(own).map_or(f64::NAN, |run| run.duration_s),
+        ),
+    ];
+    for (index, (name, unit, factor, meaning)) in [
+        (
+            "along",
+            "kN",
+            1e-3,
+            "mean force along the quay, positive ahead, of tugs, thrusters and wind together",
+        ),
+        ("across", "kN", 1e-3, "mean force towards the quay of tugs, thrusters and wind together"),
+        (
+            "moment",
+            "MN m",
+            1e-6,
+            "mean moment about the centre of gravity, positive with the bow towards the quay",
+        ),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let mean = move |own: &Berthing| Some(of(own)?.mean()[index]);
+        all.extend(uncertain(&format!("followed_{name}"), unit, meaning, factor, mean));
+    }
     all
 }
 

@@ -6,7 +6,7 @@ use std::time::UNIX_EPOCH;
 
 use fenderline_author::berth_words;
 use fenderline_live::message::GalleryEntry;
-use fenderline_live::{INTO_A_SESSION, Outline, Session, Source};
+use fenderline_live::{Ghost, INTO_A_SESSION, Outline, Session, Source};
 use fenderline_scenario::read_text;
 
 use super::kept_seats::{self, KeptSeats};
@@ -306,13 +306,26 @@ pub(crate) struct Opened {
     pub(crate) notices: Vec<String>,
 }
 
-/// Opens a scenario or a recording as a session. A recording continues where it ended.
+/// Opens a scenario or a recording as a session. A recording continues where it ended. Pages show `ghost` beside the
+/// ships of a scenario.
 ///
 /// # Errors
 /// The error says what is wrong with the file, as a text for the user. If `watch` stopped the opening, the error is the
 /// reason that `watch` gave.
-pub(crate) fn open(path: &Path, set: &[String], watch: Watch<'_>) -> Result<Opened, String> {
+pub(crate) fn open(
+    path: &Path,
+    set: &[String],
+    ghost: Option<&Ghost>,
+    watch: Watch<'_>,
+) -> Result<Opened, String> {
     if let Some(file) = saved::open(path).map_err(|why| format!("cannot read {why}"))? {
+        if let Some(ghost) = ghost {
+            return Err(format!(
+                "{}: a recorded session keeps the measured track with which it began; {} cannot be added",
+                path.display(),
+                ghost.file
+            ));
+        }
         return open_recording(path, file, set, watch);
     }
     if name_of(path).ends_with(ENDING) {
@@ -322,7 +335,7 @@ pub(crate) fn open(path: &Path, set: &[String], watch: Watch<'_>) -> Result<Open
         ));
     }
     let text = read_text(path).map_err(|why| format!("cannot read {why}"))?;
-    let (source, scenario) = Source::collect(&name_of(path), text, set.to_vec(), beside(path))
+    let (mut source, scenario) = Source::collect(&name_of(path), text, set.to_vec(), beside(path))
         .map_err(|e| e.to_string().trim_start_matches("error: ").to_owned())?;
     if scenario.setup.world.vessels.is_empty() {
         return Err(format!(
@@ -331,6 +344,7 @@ pub(crate) fn open(path: &Path, set: &[String], watch: Watch<'_>) -> Result<Open
         ));
     }
     let notices = scenario.notices.iter().map(ToString::to_string).collect();
+    source.ghost = ghost.cloned();
     let session = Session::open(source).map_err(|e| e.to_string())?;
     Ok(Opened { session, recorded: None, seats: None, notices })
 }

@@ -60,6 +60,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, mpsc};
 use std::thread::JoinHandle;
 
+pub use fenderline_live::Ghost;
 use fenderline_live::Session;
 use fenderline_live::message::Link;
 use fenderline_nautical::ChartOrigin;
@@ -86,6 +87,9 @@ pub struct Options {
     pub scenario: PathBuf,
     /// Keys of the scenario to override, each `KEY=VALUE`.
     pub set: Vec<String>,
+    /// A measured ship that pages show beside the simulated ships of the scenario; only for a scenario, because a recorded
+    /// session keeps its own.
+    pub ghost: Option<Ghost>,
     /// Address to listen on.
     pub bind: IpAddr,
     /// Port to listen on. With port 0 the operating system chooses a free port.
@@ -183,12 +187,13 @@ impl Server {
     ) -> Result<Server, ServeError> {
         let notify = options.notify;
         check_addresses(options)?;
-        let opened = gallery::open(&options.scenario, &options.set, &mut |at| {
-            if let Progress::Replaying(done, of) = at {
-                progress(done, of);
-            }
-            Ok(())
-        });
+        let opened =
+            gallery::open(&options.scenario, &options.set, options.ghost.as_ref(), &mut |at| {
+                if let Progress::Replaying(done, of) = at {
+                    progress(done, of);
+                }
+                Ok(())
+            });
         let opened = opened.map_err(|why| ServeError::input(format_args!("error: {why}")))?;
         for notice in &opened.notices {
             notify(&format!("notice: {notice}"));

@@ -135,7 +135,7 @@ impl Work {
                 }
                 Ok(())
             };
-            gallery::open(&path, &[], watch).and_then(|mut opened| {
+            gallery::open(&path, &[], None, watch).and_then(|mut opened| {
                 let recorder = Recorder::begin(&sessions, &name, &mut opened)?;
                 Ok(Ready { opened, recorder, former: gallery::entry(&former) })
             })

@@ -7,6 +7,7 @@ import { drawPlace } from "../draw/place";
 import * as scene from "../draw/scene";
 import { limits } from "../draw/depths";
 import { type Box, type Label, type Placed, Rank, place } from "../draw/labels";
+import { drawGhost } from "../draw/ghost";
 import { drawPassagePlan } from "../draw/passage_plan";
 import { drawPassages } from "../draw/passages";
 import { drawPlacing } from "../draw/placing";
@@ -278,6 +279,7 @@ export class Plan implements View {
     }
     scene.drawHulls(all);
     drawTraffic(all);
+    drawGhost(all);
     scene.drawFenders(all);
     scene.drawBollards(all);
     scene.drawLines(all);

@@ -199,6 +199,14 @@ table_keys! {
             "Distance of the ship from the nearest fender at which the run begins from the measured state.",
             &["\"1 m\""],
         ),
+        FOLLOW_FROM: Number = key(
+            "follow_from",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1.0, high: 1e4 }),
+            Means("no run follows the measured path"),
+            "Distance of the ship from the nearest fender from which a second run follows the measured path to the touch. The \
+             force that keeps the ship on the path tells what tugs, thrusters and wind together gave.",
+            &["\"20 m\""],
+        ),
         KEEP: Texts = key(
             "keep",
             Kind::Texts,

@@ -82,6 +82,8 @@ pub struct Mapping {
     pub bandwidth_s: Option<f64>,
     /// Distance from the nearest fender at which the run begins (m).
     pub run_from_m: f64,
+    /// Distance from the nearest fender from which a run follows the measured path (m); `None` for no such run.
+    pub follow_from_m: Option<f64>,
     /// Further columns for the table.
     pub keep: Vec<String>,
     /// Ships by name, in the order of the file.
@@ -148,6 +150,7 @@ impl Mapping {
             heading_sd_rad: number(file.item(MappingKey::HEADING_DEVIATION)),
             bandwidth_s: number(file.item(MappingKey::BANDWIDTH)),
             run_from_m: *file.given(MappingKey::RUN_FROM).number(),
+            follow_from_m: number(file.item(MappingKey::FOLLOW_FROM)),
             keep: file.given(MappingKey::KEEP).texts().to_vec(),
             ships: ships(&sources, file)?,
         })

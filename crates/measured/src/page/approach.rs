@@ -45,6 +45,7 @@ pub(super) fn section(berthings: &Berthings, index: usize, own: &Berthing) -> Ma
                     (fenders(berthings, own))
                 }
             }
+            (super::followed::table(own))
         }
     }
 }

@@ -2,6 +2,8 @@
 
 mod approach;
 mod cloud;
+mod followed;
+mod map;
 mod used;
 
 use fenderline_report::plot::{counted, fixed, page as whole_page};
@@ -38,6 +40,7 @@ pub fn page(of: &Page<'_>, berthings: &Berthings) -> String {
         (remarks(berthings))
         h2 { "Berthings" }
         (list(berthings))
+        (map::section(berthings))
         (cloud::section(berthings))
         (used::section(berthings))
         h2 { "Each approach" }
@@ -203,6 +206,12 @@ fn methods(of: &Page<'_>, berthings: &Berthings) -> Markup {
                 face of a fender." }
             li { "The run starts from the measured state some metres off. Drag, depth and current act; no wind, wave, tug, \
                 engine or line does. Energies differ from the truth where those acted on the last metres." }
+            @if berthings.all.iter().any(|own| own.followed.is_some()) {
+                li { "What tugs, thrusters and wind gave: a second run from farther off is held on the measured path by a spring and \
+                    a damper on its distance and speed from the path. Their force, added up from the start to the touch, is what \
+                    all loads but the water gave. Deviations follow from those of the measured speeds at both ends and from the \
+                    ship's mass with its added mass; errors of the scenario's drag and added mass come on top." }
+            }
             @if has_ais {
                 li { "AIS alone is coarse: its deviation stands beside each result. A speed from AIS is no measurement for \
                     the design of fenders where the band is as wide as the speed." }

@@ -1,5 +1,6 @@
 //! The run that starts from a measured state and is driven by nothing but the water.
 
+mod follow;
 mod start;
 mod water;
 
@@ -10,6 +11,8 @@ use crate::estimate::find::Way;
 use crate::estimate::touch::Touch;
 use crate::geometry::BerthAxes;
 
+pub use self::follow::Followed;
+pub(crate) use self::follow::follow;
 use self::start::starts;
 pub(crate) use self::water::water_only;
 

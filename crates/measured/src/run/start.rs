@@ -17,7 +17,7 @@ pub(super) struct Starts {
 }
 
 /// Part of the bandwidth that may be missing at the start of a log.
-const LEAST_SHARE: f64 = 0.3;
+pub(super) const LEAST_SHARE: f64 = 0.3;
 
 /// The state at which the hull is `run_from_m` from the nearest fender, or nearer where the log begins later.
 pub(super) fn starts(

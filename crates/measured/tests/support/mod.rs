@@ -8,7 +8,7 @@ use fenderline_measured::{
 };
 use fenderline_nautical::{ChartOrigin, GeoPoint, Moment};
 use fenderline_scenario::{Override, Scenario};
-use fenderline_sim::{Setup, Simulation};
+use fenderline_sim::{Load, Setup, Simulation};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng as _, SeedableRng as _};
 
@@ -104,8 +104,14 @@ const FINER: usize = 5;
 
 /// The run from a state, driven by nothing but the water.
 pub(crate) fn run(motion: &Motion) -> Approach {
+    run_with(motion, Vec::new())
+}
+
+/// The run from a state, driven by the water and by loads.
+pub(crate) fn run_with(motion: &Motion, loads: Vec<Load>) -> Approach {
     let berth = berth();
     let mut setup = berth.setup.clone();
+    setup.loads = loads;
     setup.duration_s = 400.0;
     // Finer than the run from the measured state: the engine says where she touches at the end of a step.
     setup.step_s = 0.1 / FINER as f64;

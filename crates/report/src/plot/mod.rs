@@ -26,9 +26,10 @@ pub use number::{
 };
 pub use page::{page, page_of};
 pub use plan::{
-    Arrow, DepthLimits, FenderBox, Frame, Harbour, Label, LineDrawn, Outlined, PassingDrawn, Place,
-    Plan, PlannedDrawn, Stage, Track, TugDrawn, Use, Weather, chart_labels, chart_note, charted_in,
-    fenders_legend, harbour_legend, outlined_legend, planned_legend, waypoint_name,
+    Approached, Arrow, DepthLimits, FenderBox, Frame, Harbour, Label, LineDrawn, Outlined,
+    PassingDrawn, Place, Plan, PlannedDrawn, Stage, Track, TugDrawn, Use, Weather,
+    approached_legend, chart_labels, chart_note, charted_in, fenders_legend, harbour_legend,
+    outlined_legend, planned_legend, waypoint_name,
 };
 pub use rose::{Ring, Rose};
 pub use series::{Decimator, Point, Series};

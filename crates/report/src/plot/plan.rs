@@ -1,5 +1,6 @@
 //! Plan views: bodies seen from above, north up, at the same scale in both directions.
 
+mod approached;
 mod arrows;
 mod box2;
 mod chart;
@@ -17,6 +18,7 @@ use fenderline_contact::Vec2;
 use maud::{Markup, html};
 
 use super::{colour, dash};
+pub use approached::{Approached, approached_legend};
 pub use chart::{chart_labels, chart_note, charted_in};
 pub use contents::{Outlined, Plan, Stage, Track};
 pub use depths::DepthLimits;
@@ -53,6 +55,7 @@ impl Plan {
                                 stroke-width="1" stroke-dasharray=[(!track.is_one_of_many).then(|| dash(2))]
                                 stroke-opacity=[track.is_one_of_many.then_some("0.35")] {}
                         }
+                        @for way in &self.harbour.approached { (approached::approached(way, &map)) }
                         @for ends_m in &self.harbour.banks { (harbour::bank(*ends_m, &map)) }
                         @for line in &self.harbour.lines { (harbour::line(line, &map)) }
                         @for chain_m in &self.harbour.anchors { (harbour::anchor(*chain_m, &map)) }
@@ -224,6 +227,13 @@ mod tests {
                 passing: vec![PassingDrawn {
                     outline_m: vec![frame.low, frame.high],
                     track_m: vec![frame.low, frame.high],
+                }],
+                approached: vec![Approached {
+                    path_m: vec![frame.low, frame.high],
+                    minutes_m: vec![frame.low],
+                    hull_m: vec![frame.low, frame.high],
+                    touch_m: frame.high,
+                    used: Use::Share(0.6),
                 }],
                 weather: vec![Weather {
                     towards: vec2(1.0, 0.0),

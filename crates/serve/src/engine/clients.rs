@@ -163,6 +163,7 @@ impl Engine {
             sea: &self.session.info().sea,
             daylight: self.session.info().daylight,
             chart: &self.session.info().chart,
+            ghost: self.session.source().ghost.as_ref(),
             exercise: self.session.exercise_info(),
             links: links.as_deref(),
             library: is_instructor.then(library_info),

@@ -5,6 +5,7 @@ use fenderline_contact::number::greater;
 use fenderline_sim::chart::ChartFeature;
 use maud::{Markup, html};
 
+use super::approached::Approached;
 use super::box2::{Box2, HALF_LINE};
 use super::depths::DepthLimits;
 use super::map::Map;
@@ -28,6 +29,8 @@ pub struct Harbour {
     pub banks: Vec<[Vec2; 2]>,
     /// Passing ships.
     pub passing: Vec<PassingDrawn>,
+    /// Measured ways of ships to the berth.
+    pub approached: Vec<Approached>,
     /// Passage plans.
     pub plans: Vec<PlannedDrawn>,
     /// Wind, current and waves, shown in a corner.

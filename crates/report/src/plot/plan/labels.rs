@@ -233,6 +233,7 @@ mod tests {
                 tugs: (0..6).map(tug).collect(),
                 banks: Vec::new(),
                 passing: Vec::new(),
+                approached: Vec::new(),
                 plans: Vec::new(),
                 weather: vec![weather("wind 12 m/s (23.3 kn) from west"), weather("current")],
             },

@@ -135,6 +135,7 @@ pub(super) fn around(outcome: &Outcome<'_>, recorder: &Recorder, frame: Frame) -
         tugs: tugs(setup, marks),
         banks: banks(&setup.world.environment),
         passing: passing(outcome),
+        approached: Vec::new(),
         plans: plans(setup),
         weather: weather(&setup.world.environment, recorder, WindTrace::range),
     }
@@ -327,6 +328,7 @@ pub(in crate::run_page) fn moored(outcome: &Outcome<'_>, recorder: &Recorder) ->
             tugs: tugs(setup, &marks),
             banks: banks(&setup.world.environment),
             passing: Vec::new(),
+            approached: Vec::new(),
             plans: plans(setup),
             weather: weather(&setup.world.environment, recorder, WindTrace::range),
         },
