@@ -20,10 +20,10 @@ use serde_json::{Value, json};
 use server::Server;
 
 /// A runtime for a test's own sockets.
-fn block_on(test: impl Future<Output = ()>) {
+fn block_on<T>(test: impl Future<Output = T>) -> T {
     let runtime =
         tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build();
-    runtime.expect("threads").block_on(test);
+    runtime.expect("threads").block_on(test)
 }
 
 fn rudder(angle_rad: f64) -> Value {

@@ -32,7 +32,10 @@ export const VIEW_LIMITS: [number, number] = [6 * DEG, 75 * DEG];
 /** What a page may ask of the picture. */
 export interface Look {
   eye: Eye;
-  /** Index in `Hello.vessels` of the vessel whose bridge it is, or of the tug. */
+  /**
+   * Index in `Hello.vessels` of the vessel whose bridge it is, or of the tug. For the eye in a tug, the numbers after the vessels
+   * are the vector tugs, `Hello.tugs`.
+   */
   vessel: number;
   /** Index in `Hello.bollards`. */
   bollard: number;

@@ -240,8 +240,21 @@ export class Pane {
     return all[(at + 1) % Math.max(1, all.length)] ?? 0;
   }
 
+  /** The tugs as numbers of a look: first the own tug of a tugmaster. */
   private tugs(): number[] {
-    return (this.live.hello?.vessels ?? []).flatMap(({ is_tug }, i) => (is_tug ? [i] : []));
+    const { vessels = [], tugs = [] } = this.live.hello ?? {};
+    const all = vessels.flatMap(({ is_tug }, i) => (is_tug ? [i] : []));
+    all.push(...tugs.map((_, i) => vessels.length + i));
+    const own = this.ownVector();
+    return own === null ? all : [own, ...all.filter((each) => each !== own)];
+  }
+
+  /** The own vector tug of a tugmaster, as the number of a look. */
+  private ownVector(): number | null {
+    const { role, vessels, tugs } = this.live.hello ?? {};
+    if (role?.name !== "tugmaster" || !vessels || !tugs) return null;
+    const own = tugs.findIndex(({ name }) => name === role.tug);
+    return own < 0 ? null : vessels.length + own;
   }
 
   /** The bollard in the middle at first, then the next. */
@@ -275,7 +288,7 @@ export class Pane {
     const whose =
       eye === "bollard"
         ? spoken(hello.bollards[bollard]?.name ?? "")
-        : spoken(hello.vessels[vessel]?.name ?? "");
+        : spoken((hello.vessels[vessel] ?? hello.tugs[vessel - hello.vessels.length])?.name ?? "");
     const body = this.live.frame?.bodies[hello.vessels[vessel]?.body ?? -1];
     const side =
       body && eye !== "bollard" && eye !== "free" ? wrapped(bearing_rad - body[2]) : null;
@@ -323,7 +336,10 @@ export class Pane {
       span.style.top = `${(100 * label.y).toFixed(2)}%`;
     });
     if (shown) {
-      const vessel = this.look.eye === "tug" ? this.look.vessel : this.live.ship();
+      const vessel =
+        this.look.eye === "tug" && hello.vessels[this.look.vessel]
+          ? this.look.vessel
+          : this.live.ship();
       setText(this.figures, figures(frame, hello, vessel, this.live.ship()).join("\n"));
     }
   }
@@ -381,7 +397,12 @@ export class Pane {
     // Claims of helms come with a new greeting of the same scenario.
     if (!this.built || !isSame(this.built, hello)) {
       picture.build(hello, this.live.bodies(now_ms));
+      const own = this.ownVector();
+      if (!this.built && own !== null && this.asked === null)
+        Object.assign(this.look, { eye: "tug", vessel: own });
       if (this.look.eye !== "tug") this.look.vessel = this.live.conned();
+      else if (!this.tugs().includes(this.look.vessel))
+        this.look.vessel = this.next(this.tugs(), null);
       this.mark();
     }
     this.built = hello;

@@ -561,7 +561,9 @@ export class Picture {
       const at: Pair = [info.at_m[0] + back[0], info.at_m[1] + back[1]];
       return { seat: seatAtBollard(at, this.deck(info.body, info.at_m), toward), on };
     }
-    const ship = this.shipOf(look.vessel) ?? this.ships[0];
+    const vectors = look.vessel - (this.hello?.vessels.length ?? 0);
+    const tug = look.eye === "tug" ? this.tugs[vectors] : undefined;
+    const ship = tug ?? this.shipOf(look.vessel) ?? this.ships[0];
     return ship ? { seat: seatOn(ship.arrangement, look.eye), on: ship.group } : null;
   }
 
