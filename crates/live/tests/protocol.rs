@@ -76,6 +76,7 @@ fn messages(session: &Session) -> (Value, Value) {
         daylight: info.daylight,
         chart: &info.chart,
         exercise: session.exercise_info(),
+        ghost: None,
         links: Some(&links),
         library: Some(library_info()),
         deleted: Some(&[]),
