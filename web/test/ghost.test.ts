@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { ghostAt, ghostText } from "../src/draw/ghost";
+import { ghostAt, ghostText } from "../src/ghost";
 import type { Ghost } from "../src/protocol";
 
 const ghost: Ghost = {

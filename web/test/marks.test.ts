@@ -4,7 +4,9 @@ import {
   MOST_GHOSTS,
   arrow,
   colourOf,
+  MEASURED_STROKES,
   figures,
+  measuredStrokes,
   pathStrokes,
   resampled,
 } from "../src/bridge/in_picture";
@@ -27,6 +29,25 @@ test("an arrow points where the force points, its tip where the force acts", () 
   expect(z).toBeCloseTo(-5 + 14, 9);
   expect(head.points[PIECES / 2]).toEqual([10, 2, -5]);
   expect(arrow([0, 0, 0], [0, 0], 0)).toEqual([]);
+});
+
+test("a measured ship is a cage about her outline at the place and heading of the log", () => {
+  const outline: Pair[] = [
+    [50, 0],
+    [-50, 8],
+    [-50, -8],
+  ];
+  const east = 90 * DEG;
+  const strokes = measuredStrokes(outline, [0, 100, 200, east], ([n, e], up) => [e, up, -n]);
+  expect(strokes.length).toBe(MEASURED_STROKES);
+  const [x, y, z] = strokes[0]?.points[0] ?? [0, 0, 0];
+  // Her bow is 50 m east of her middle, at the waterline first.
+  expect(x).toBeCloseTo(250, 9);
+  expect(y).toBeLessThan(1);
+  expect(z).toBeCloseTo(-100, 9);
+  const post = strokes.at(-1)?.points ?? [];
+  expect([post[0]?.[0], post[0]?.[2]]).toEqual([post.at(-1)?.[0], post.at(-1)?.[2]]);
+  expect(measuredStrokes([], [0, 0, 0, 0], () => [0, 0, 0])).toEqual([]);
 });
 
 test("the arrow of a pull begins where the line holds, so that the ship does not hide the arrow", () => {

@@ -5,7 +5,7 @@
 import { type Triple, plus, scaled } from "./axes";
 import { PIECES } from "./catenary";
 import type { Colour } from "./solids";
-import type { Frame, Hello, Pair, ShipPath } from "../protocol";
+import type { Frame, Hello, Pair, PathPoint, ShipPath } from "../protocol";
 import { onEarth } from "../geometry";
 import {
   distance,
@@ -49,6 +49,11 @@ const GHOSTS_S = 60;
 const STILL_M = 5;
 /** Strokes of a predicted path at most: the path and outlines on it. */
 export const MOST_GHOSTS = 24;
+const MEASURED: Colour = 0xf4f1ff;
+/** Heights of the outline of a measured ship above the water: at the waterline, and about at her deck [m]. */
+const MEASURED_UP_M: Pair = [0.4, 6];
+/** Strokes of a measured ship: two outlines, and posts between them. */
+export const MEASURED_STROKES = 6;
 /** Length of an arrow for a force of a meganewton, and its limits [m]. */
 const PER_MN_M = 14;
 const ARROW_LIMITS_M: Pair = [2, 22];
@@ -111,20 +116,46 @@ export function pathStrokes(
     const point = path.reduce((best, next) =>
       Math.abs(next[0] - t_s) < Math.abs(best[0] - t_s) ? next : best,
     );
-    const [, north, east, heading_rad] = point;
-    const body: [number, number, number, number, number, number] = [
-      north,
-      east,
-      heading_rad,
-      0,
-      0,
-      0,
-    ];
-    const ring = outline.map((corner) => place(onEarth(body, corner)));
+    const ring = outlineAt(outline, point).map(place);
     const [first] = ring;
     if (first) strokes.push({ points: resampled([...ring, first]), colour: PATH, radius_m: 0.1 });
   }
   return strokes;
+}
+
+/** The corners of an outline on the earth. */
+function outlineAt(outline: Pair[], [, north, east, heading_rad]: PathPoint): Pair[] {
+  const body: [number, number, number, number, number, number] = [
+    north,
+    east,
+    heading_rad,
+    0,
+    0,
+    0,
+  ];
+  return outline.map((corner) => onEarth(body, corner));
+}
+
+/** A measured ship as a cage: she takes part in nothing, so what is behind her stays in sight. `place`: of the earth, and a height. */
+export function measuredStrokes(
+  outline: Pair[],
+  now: PathPoint,
+  place: (at: Pair, up_m: number) => Triple,
+): Stroke[] {
+  const corners = outlineAt(outline, now);
+  const [first] = corners;
+  if (!first) return [];
+  const rings = MEASURED_UP_M.map((up_m) => [...corners, first].map((at) => place(at, up_m)));
+  const count = MEASURED_STROKES - rings.length;
+  const posts = Array.from({ length: count }, (_, i) => {
+    const at = corners[Math.floor((corners.length * i) / count)] ?? first;
+    return MEASURED_UP_M.map((up_m) => place(at, up_m));
+  });
+  return [...rings, ...posts].map((points) => ({
+    points: resampled(points),
+    colour: MEASURED,
+    radius_m: 0.14,
+  }));
 }
 
 /** Speeds over ground in words; what is shown as 0.0 is left out. */

@@ -37,10 +37,12 @@ import { type Shared, paintwork } from "./paintwork";
 import {
   type Label,
   type Stroke,
+  MEASURED_STROKES,
   MOST_GHOSTS,
   arrow,
   colourOf,
   loadLabel,
+  measuredStrokes,
   pathStrokes,
   tugLabel,
 } from "./in_picture";
@@ -54,6 +56,7 @@ import { sunOf } from "./sun";
 import { surface } from "./waves";
 import { isLit } from "../character";
 import { clamp, onEarth, turned } from "../geometry";
+import { ghostAt, ghostText } from "../ghost";
 import { type Live, isOfTug } from "../live";
 import type { PaletteName } from "../palette";
 import type { BodyNow, Frame, Hello, LineInfo, LineNow, Pair } from "../protocol";
@@ -93,6 +96,8 @@ const SLACK_N = 50;
 const MARKS_NARROWER = 0.6;
 /** How high an arrow lies above what could hide the arrow [m]. */
 const ARROW_OVER_M = 0.7;
+/** How high the words of a measured ship stand above the water [m]. */
+const MEASURED_WORDS_UP_M = 9;
 const LEVELS: Record<Label["level"], number> = { plain: 0, caution: 1, alarm: 2 };
 /** Half the side of the square that casts shadows [m]. */
 const SHADOW_M = 170;
@@ -478,10 +483,11 @@ export class Picture {
     } else this.aim(look, t_s);
     // Two strokes for an arrow.
     const arrows = 2 * (frame.contacts.length + hello.tugs.length);
-    this.strokes.room(hello.lines.length + arrows + MOST_GHOSTS);
+    this.strokes.room(hello.lines.length + arrows + MOST_GHOSTS + MEASURED_STROKES);
     this.strokes.begin();
     this.labels = [];
     this.lines(frame, hello, look.marks);
+    this.measured(hello, t_s);
     if (look.marks) this.mark(frame, hello, look);
     this.strokes.end();
     this.lights(frame, t_s);
@@ -732,6 +738,17 @@ export class Picture {
         : ship.deck_m
       : (this.decks[pusher] ?? QUAY_M) - this.water_m;
     return Math.max(deck_m, top_m) + ARROW_OVER_M;
+  }
+
+  /** The ship of a log beside the simulated ones, on the clock of the session. */
+  private measured({ ghost }: Hello, t_s: number): void {
+    const now = ghost && ghostAt(ghost, t_s);
+    if (!now) return;
+    this.strokes.bright(this.light.exposure);
+    const place = (at: Pair, up_m: number) => toPicture(this.origin, at, up_m);
+    for (const each of measuredStrokes(ghost.outline, now, place)) this.stroke(each);
+    const at = toPicture(this.origin, [now[1], now[2]], MEASURED_WORDS_UP_M);
+    this.labels.push({ at, text: ghostText(ghost, t_s), level: "plain" });
   }
 
   /** Marks on request: the predicted path, and arrows of the forces of contacts and tugs. */
