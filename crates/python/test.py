@@ -31,7 +31,13 @@ def run(*command: str | Path, cwd: Path = ROOT, **environment: str) -> None:
     began = time.monotonic()
     # No packages of the user, no questions by pip, no __pycache__ in the source tree; modules are compiled when they are
     # first imported, because compiling all of them takes as long as unpacking them.
-    clean = {"PYTHONNOUSERSITE": "1", "PYTHONPYCACHEPREFIX": CACHE.name, "PIP_NO_INPUT": "1", "PIP_NO_COMPILE": "1"}
+    clean = {
+        "PYTHONNOUSERSITE": "1",
+        "PYTHONDONTWRITEBYTECODE": "",
+        "PYTHONPYCACHEPREFIX": CACHE.name,
+        "PIP_NO_INPUT": "1",
+        "PIP_NO_COMPILE": "1",
+    }
     subprocess.run(
         [str(part) for part in command],
         cwd=cwd,
