@@ -2,7 +2,7 @@
 //! a fender, with uncertainties, and to a run from the measured state.
 //!
 //! [`read_log`] reads a log by a [`Mapping`]; [`berthings`] finds the berthings in logs; [`table()`] gives a row a
-//! berthing, and [`page`] the report. All functions are pure: no files, no clock.
+//! berthing, and [`page()`] the report. All functions are pure: no files, no clock.
 //!
 //! | step | module |
 //! |---|---|
