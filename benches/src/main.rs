@@ -168,10 +168,7 @@ fn run(arguments: &[&str]) -> Result<(), String> {
             let mut engines = Engine::OURS.iter().chain(Engine::PEERS);
             let engine = engines.find(|engine| engine.name() == *method);
             let engine = engine.ok_or_else(|| format!("no method `{method}`\n{USAGE}"))?;
-            let play = Play::ALL.into_iter().find(|known| known.name() == *play);
-            let play = play.ok_or_else(|| {
-                format!("a scene plays `anew` or `steady`, nothing else\n{USAGE}")
-            })?;
+            let play = Play::named(play).map_err(|why| format!("{why}\n{USAGE}"))?;
             let mut world = engine.world(&scene.plan(), play::STEP_S);
             play::steps(world.as_mut(), count_of(steps)?, play);
         }

@@ -40,10 +40,7 @@ fn run(arguments: &[&str]) -> Result<(), String> {
                 Scene::named(scene).ok_or_else(|| format!("no scene `{scene}`\n{USAGE}"))?;
             let variant = Variant::ALL.into_iter().find(|known| known.name() == *method);
             let variant = variant.ok_or_else(|| format!("no method `{method}`\n{USAGE}"))?;
-            let play = Play::ALL.into_iter().find(|known| known.name() == *play);
-            let play = play.ok_or_else(|| {
-                format!("a scene plays `anew` or `steady`, nothing else\n{USAGE}")
-            })?;
+            let play = Play::named(play).map_err(|why| format!("{why}\n{USAGE}"))?;
             let count = count.parse().map_err(|_| format!("`{count}` is no number\n{USAGE}"))?;
             steps(&mut variant.world(&scene.plan(), STEP_S), count, play);
         }

@@ -27,6 +27,15 @@ impl Play {
     /// Both ways.
     pub const ALL: [Play; 2] = [Play::Anew, Play::Steady];
 
+    /// The way with the given name on the command line.
+    ///
+    /// # Errors
+    /// The error says which names there are.
+    pub fn named(name: &str) -> Result<Play, &'static str> {
+        let play = Play::ALL.into_iter().find(|known| known.name() == name);
+        play.ok_or("a scene plays `anew` or `steady`, nothing else")
+    }
+
     /// The name on the command line and in tables.
     pub fn name(self) -> &'static str {
         match self {
