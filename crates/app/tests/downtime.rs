@@ -271,7 +271,7 @@ fn the_worked_example_runs() {
     contains_all(&check.stdout, &["360 cases of 18000 time steps", "wave_height: "]);
     let small = text.replace(
         "\n[downtime]\n",
-        "\nset = [\"time.duration=6 min\"]\n[downtime]\nstates = 2\nsample = 1\n",
+        "\nset = [\"time.duration=2 min\"]\n[downtime]\nstates = 2\nsample = 1\n",
     );
     place.write("campaigns/small.toml", small.as_bytes());
     let run = place.run(&["campaign", "campaigns/small.toml"]);
@@ -279,7 +279,7 @@ fn the_worked_example_runs() {
     contains_all(&run.stdout, &["3 of 3 cases done", "of 8760 h"]);
     contains_all(
         &place.text("out/small/report.html"),
-        &["By wave direction", "each run for 6.00 min"],
+        &["By wave direction", "each run for 2.00 min"],
     );
     let csv = place.text("out/small/downtime.csv");
     contains_all(&csv, &["month,December,744,", "reason,surge,8760,", "wave direction,SSW,"]);

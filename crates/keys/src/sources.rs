@@ -58,6 +58,10 @@ fn marks(text: &str) -> Vec<Mark> {
     marks
 }
 
+/// How many bytes before and after a place a snippet looks at: more than [`cut`] shows. A list of 20,000 values may
+/// stand in one line, and each value has a snippet.
+const NEAR: usize = 512;
+
 impl<'a> Sources<'a> {
     /// Makes the sources from the text of a file and the overrides.
     pub fn new(file_name: &'a str, text: &'a str, overrides: &'a [Override]) -> Sources<'a> {
@@ -136,9 +140,10 @@ impl Sources<'_> {
             return None;
         }
         let (start, end) = (self.boundary(span.start), self.boundary(span.end));
+        let (from, to) = (self.boundary(start.saturating_sub(NEAR)), self.boundary(start + NEAR));
         let ends = ['\n', '\r'];
-        let line_start = self.text[..start].rfind(ends).map_or(0, |newline| newline + 1);
-        let line_end = self.text[start..].find(ends).map_or(self.text.len(), |n| start + n);
+        let line_start = self.text[from..start].rfind(ends).map_or(from, |n| from + n + 1);
+        let line_end = self.text[start..to].find(ends).map_or(to, |n| start + n);
         let before = &self.text[line_start..start];
         let marked = &self.text[start..end.clamp(start, line_end)];
         let after = &self.text[start + marked.len()..line_end];
@@ -153,7 +158,7 @@ impl Sources<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::{BETWEEN_MARKS, Place, Sources, marks};
+    use super::{BETWEEN_MARKS, NEAR, Place, Sources, cut, marks};
 
     #[test]
     fn a_place_agrees_with_counting_from_the_start() {
@@ -169,6 +174,28 @@ mod tests {
                 column: before[start..].chars().count() + 1,
             };
             assert_eq!(sources.place(&(byte..byte)), place);
+        }
+    }
+
+    /// However long the line is: a snippet looks only at what is near.
+    #[test]
+    fn a_snippet_is_that_of_the_whole_line() {
+        let long = "ü".repeat(NEAR);
+        let text = format!("a  \nb大{long}c d{long} \nlast {long}");
+        let sources = Sources::new("f", &text, &[]);
+        let places: Vec<usize> = text.char_indices().map(|(byte, _)| byte).collect();
+        for (index, &start) in places.iter().enumerate() {
+            for &end in [1, 3, 60].iter().filter_map(|more| places.get(index + more)) {
+                let line_start = text[..start].rfind('\n').map_or(0, |newline| newline + 1);
+                let line_end = text[start..].find('\n').map_or(text.len(), |n| start + n);
+                let end_here = end.min(line_end);
+                let whole = cut(
+                    &text[line_start..start],
+                    &text[start..end_here],
+                    text[end_here..line_end].trim_end(),
+                );
+                assert_eq!(sources.snippet(&(start..end)), Some(whole), "{start}..{end}");
+            }
         }
     }
 

@@ -742,10 +742,11 @@ fn each_key_is_known_to_reader_and_schema() {
     assert!(paths.len() > 35, "the walk finds the keys");
     for path in paths {
         let (document, holders) = first_holders(&documents, &path);
+        // All tables of a kind are read by the same keys; which keys they need depends on what else they have.
+        misspelt_is_refused(document, &holders[0]);
+        wrong_kind_is_refused(document, &holders[0]);
         for pointer in holders {
-            misspelt_is_refused(document, &pointer);
             absent_agrees(document, &pointer);
-            wrong_kind_is_refused(document, &pointer);
         }
     }
 }
