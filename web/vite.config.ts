@@ -22,7 +22,12 @@ export default defineConfig({
           name: "e2e",
           expect: { poll: { timeout: 20_000 } },
           include: ["e2e/**/*.e2e.ts"],
-          exclude: ["e2e/speed.e2e.ts", "e2e/inbound.e2e.ts", "e2e/pictures.e2e.ts"],
+          exclude: [
+            "e2e/speed.e2e.ts",
+            "e2e/inbound.e2e.ts",
+            "e2e/pictures.e2e.ts",
+            "e2e/ten_views.e2e.ts",
+          ],
           testTimeout: 450_000,
           hookTimeout: 60_000,
           // Much of the time they wait for the ship; more at once would draw too slowly on two processors.
@@ -59,6 +64,15 @@ export default defineConfig({
           include: ["e2e/pictures.e2e.ts"],
           testTimeout: 900_000,
           sequence: { groupOrder: 4 },
+        },
+      },
+      {
+        // Ten views keep any machine busy: this test runs alone.
+        test: {
+          name: "views",
+          include: ["e2e/ten_views.e2e.ts"],
+          hookTimeout: 60_000,
+          sequence: { groupOrder: 5 },
         },
       },
       {

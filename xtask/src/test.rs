@@ -224,14 +224,19 @@ fn tests_built() -> Result<Done, String> {
     built::program("dev").map(|_| Done::Good)
 }
 
-/// With this seed the property tests draw the same cases every time, so that the outcome depends only on the change
-/// under test. Without the seed, `cargo test` draws new cases, as the fuzz targets do.
+/// Runs all tests. With the seed the property tests draw the same cases every time, so that the outcome depends only on
+/// the change under test; without the seed, `cargo test` draws new cases, as the fuzz targets do. Many tests of the
+/// program wait for a clock, so two tests for each processor run at once.
 fn tests() -> Result<Done, String> {
-    const SEED: (&str, &str) = ("PROPTEST_RNG_SEED", "20261121");
+    const SEED: &str = "PROPTEST_RNG_SEED";
+    const AT_ONCE: &str = "RUST_TEST_THREADS";
+    let processors = std::thread::available_parallelism().map_or(1, usize::from);
     let mut tests = cargo(["test"]);
     tests.args(built::TARGETS).args(built::TESTED);
-    if std::env::var_os(SEED.0).is_none() {
-        tests.env(SEED.0, SEED.1);
+    for (name, value) in [(SEED, "20261121".to_owned()), (AT_ONCE, (2 * processors).to_string())] {
+        if std::env::var_os(name).is_none() {
+            tests.env(name, value);
+        }
     }
     run(&mut tests)?;
     Ok(Done::Good)

@@ -271,7 +271,7 @@ fn the_worked_example_runs() {
     contains_all(&check.stdout, &["360 cases of 18000 time steps", "wave_height: "]);
     let small = text.replace(
         "\n[downtime]\n",
-        "\nset = [\"time.duration=2 min\"]\n[downtime]\nstates = 2\nsample = 1\n",
+        "\nset = [\"time.duration=2 min\", \"statistics.from=1 min\"]\n[downtime]\nstates = 2\nsample = 1\n",
     );
     place.write("campaigns/small.toml", small.as_bytes());
     let run = place.run(&["campaign", "campaigns/small.toml"]);
