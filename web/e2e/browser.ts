@@ -111,11 +111,40 @@ export interface Browser {
   close(): Promise<void>;
 }
 
+/** Time between two drawings of a page in CI (ms). A page that draws as often as it can would keep a processor busy. */
+const DRAWS_EACH_MS = 50;
+
+/** Runs in a page before the page's own scripts: lets the page draw at most once in `each_ms`. */
+function drawSeldom(each_ms: number): void {
+  const [request, cancel] = [requestAnimationFrame.bind(window), cancelAnimationFrame.bind(window)];
+  /** By the number of a request: the timer before the browser's own request, or this request. */
+  const waiting = new Map<number, { timer?: number; frame?: number }>();
+  let last = 0;
+  window.requestAnimationFrame = (callback) => {
+    const id = ++last;
+    const draw = (now: number) => {
+      waiting.delete(id);
+      callback(now);
+    };
+    const timer = window.setTimeout(() => waiting.set(id, { frame: request(draw) }), each_ms);
+    waiting.set(id, { timer });
+    return id;
+  };
+  window.cancelAnimationFrame = (id) => {
+    const { timer, frame } = waiting.get(id) ?? {};
+    if (timer !== undefined) window.clearTimeout(timer);
+    if (frame !== undefined) cancel(frame);
+    waiting.delete(id);
+  };
+}
+
 export async function browse(
   size: { width: number; height: number },
   touch = false,
   /** More flags of the browser. Those of `SOFTWARE_WEBGL` stand in place of `--disable-gpu`. */
   flags: string[] = [],
+  /** Whether pages draw as often as they can. A view that drew seldom would make its picture coarser. */
+  drawsOften = !process.env.CI || flags === SOFTWARE_WEBGL,
 ): Promise<Browser> {
   const context = await chromium.launchPersistentContext(
     mkdtempSync(join(tmpdir(), "fenderline-e2e-")),
@@ -130,6 +159,7 @@ export async function browse(
       hasTouch: touch,
     },
   );
+  if (!drawsOften) await context.addInitScript(drawSeldom, DRAWS_EACH_MS);
   return { context, close: () => context.close() };
 }
 

@@ -29,7 +29,7 @@ let devtools: CDPSession;
 
 beforeAll(async () => {
   served = await serve();
-  browser = await browse({ width: 1366, height: 768 });
+  browser = await browse({ width: 1366, height: 768 }, false, [], true);
   instructor = await open(browser.context, served, "instructor", errors);
   pilot = await open(browser.context, served, "pilot", errors);
   devtools = await browser.context.newCDPSession(pilot);

@@ -72,19 +72,20 @@ pub enum Reason {
         /// The motion.
         motion: usize,
     },
-    /// A combination of motions has a negative damping, though no motion alone has one.
+    /// A motion of the ship in several directions at once has a negative damping, though no direction alone has one.
     NegativeTogether {
-        /// The two motions with the largest part in the combination of motions.
+        /// The two directions, for example sway and roll, that have the largest part in this motion.
         motions: [usize; 2],
         /// The negative damping, divided by the largest damping of these motions; each motion is measured by the root
         /// of its largest damping.
         share: f64,
     },
-    /// A combination of motions has a negative mass or restoring, though no motion alone has one.
+    /// A motion of the ship in several directions at once has a negative mass or restoring, though no direction alone has
+    /// one.
     CouplesTooMuch {
         /// The word `mass` or `restoring`.
         what: &'static str,
-        /// The two motions with the largest part in the combination of motions.
+        /// The two directions, for example sway and roll, that have the largest part in this motion.
         motions: [usize; 2],
     },
     /// Exciting forces and damping contradict each other (Haskind's relation).

@@ -1,4 +1,4 @@
-//! Texts of the columns in the summary that `run` prints.
+//! Heads and values of the columns in the summary that `run` prints, as texts.
 
 use core::fmt::Write as _;
 

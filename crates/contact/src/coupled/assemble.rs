@@ -351,7 +351,7 @@ fn note_panel(
     PanelMotion::note(aside.panels, (face.id, hull), pressed, factor, broken);
 }
 
-/// Adds to `held` the force and the energy that the fender of a contact holds.
+/// Adds the reaction of a contact's fender and the energy that the fender has stored to the sums in `held`.
 pub(crate) fn add_held(
     held: &mut Held,
     model: &Model,

@@ -61,8 +61,9 @@ impl EdgeGap {
     }
 }
 
-/// The edge of `p` with the largest gap to `q`; both are closed lists of corners. The deepest corner moves round in the
-/// same sense as the edge, so a full turn of the edges needs only one full turn of the corners.
+/// The edge of `p` with the largest gap to `q`. In both lists of corners the first corner stands again at the end. The
+/// deepest corner moves round in the same sense as the edge, so a full turn of the edges needs only one full turn of the
+/// corners.
 fn best_edge(p: &[Vec2], q: &[Vec2]) -> EdgeGap {
     let count = q.len() - 1;
     let mut best = EdgeGap { gap_m: f64::NEG_INFINITY, edge: 0, support: 0, outward: Vec2::ZERO };

@@ -22,7 +22,7 @@ use crate::geometry::{BerthAxes, Motion};
 const PERIOD_S: f64 = 15.0;
 /// Time between the points of the path (s); the path is straight between them.
 const STEP_S: f64 = 1.0;
-/// The start is sought back from the touch in steps of this time (s).
+/// The start of the run is sought back from the touch in steps of this time (s).
 const BACK_S: f64 = 5.0;
 /// Longest way that is followed (s).
 const LONGEST_S: f64 = 3600.0;

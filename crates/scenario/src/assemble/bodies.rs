@@ -104,7 +104,7 @@ impl Assembly<'_, '_> {
                 let error = self.sources.error(&table.span, &path, format!("`{path}` is missing"));
                 return Err(error.with_help(match kind {
                     Some(_) => "the vessel has no outline: give the body an `outline`",
-                    None => "write outline = [[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]",
+                    None => "give the corners (m), for example outline = [[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]",
                 }));
             }
         };

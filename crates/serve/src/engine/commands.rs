@@ -117,7 +117,7 @@ impl Engine {
         Ok(())
     }
 
-    /// Starts a trial manoeuvre. A trial does not change the run, and takes no control.
+    /// Starts a trial manoeuvre. A trial does not change the run, and whoever has the helm keeps it.
     fn trial(
         &mut self,
         requester: &Requester,

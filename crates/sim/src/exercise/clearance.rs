@@ -32,7 +32,7 @@ pub(super) fn distance_m(
     })
 }
 
-/// A distance that a point is at least off a polygon: from its upright box (m).
+/// A lower bound of the distance of a point from a polygon: the distance from the upright box around the polygon (m).
 fn far_m(part: &[Vec2], point: Vec2) -> f64 {
     let (mut low, mut high) = (part[0], part[0]);
     for corner in part {

@@ -53,7 +53,8 @@ pub(super) fn check_load(load: &Load, setup: &Setup) -> Result<(), SetupError> {
     Ok(())
 }
 
-/// Checks that the set-up gives, for the flow between ships, the hull of every vessel, or no hull if none is needed.
+/// Checks the hulls of the set-up for the flow between ships: there is one for every vessel, or there is none and no
+/// force needs one.
 pub(super) fn check_flow(setup: &Setup) -> Result<(), SetupError> {
     let hulls = setup.world.flow.hulls.len();
     let by_image = |bank: &Bank| bank.method() == BankMethod::Image;

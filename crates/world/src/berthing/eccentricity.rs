@@ -20,8 +20,9 @@ pub fn gyradius_m(block_coefficient: f64, length_bp_m: f64) -> Result<f64, Berth
 /// Ce = (K² + R² cos²γ)/(K² + R²), with the radius of gyration K (m), the distance R of the point of contact from the
 /// centre of mass (m), and the angle γ between R and the velocity (rad).
 ///
-/// Source of the formula: found. Mechanics gives the same Ce for a ship without spin whose point of contact stops dead,
-/// without sliding and rebound; `tests/identities.rs` compares the contact engine with this formula.
+/// Source of the formula: found (a part of PIANC 2002's kinetic method as public manuals print it). Mechanics gives the
+/// same Ce for a ship without spin whose point of contact stops dead, without sliding and rebound; `tests/identities.rs`
+/// compares the contact engine with this formula.
 ///
 /// # Errors
 /// Fails if a radius or an angle is out of range.

@@ -40,8 +40,9 @@ impl WakeChange {
                 rate: 2.0,
                 limit: 1.0 / (1.0 - wake),
                 source: (
-                    "in a turn the propeller leaves all of the wake, as by w = w₀ exp(−4 β_P²) in \
-                     a public program (nikpau/mmgdynamics), with KVLCC2's C₁",
+                    "in a turn the propeller comes out of the wake, which falls to nothing, as it does \
+                     by w = w₀ exp(−4 β_P²) in a public program (nikpau/mmgdynamics); how fast it \
+                     falls (C₁) is KVLCC2's",
                     Standing::Derived,
                 ),
             },
