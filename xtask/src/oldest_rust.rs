@@ -1,4 +1,6 @@
 //! `cargo xtask oldest-rust` checks that everything users build compiles with the oldest Rust that `Cargo.toml` names.
+//! The check compiles all libraries once more, and is a job of its own of the public host. Every run of the lints finds
+//! uses of the standard library that the oldest Rust does not have (Clippy's `incompatible_msrv`).
 
 use std::process::{Command, ExitCode};
 
@@ -14,21 +16,6 @@ const PACKAGES: [&str; 5] =
 /// `cargo xtask oldest-rust`.
 pub(crate) fn oldest_rust_command() -> ExitCode {
     run_all(&[Step { name: "the oldest Rust that the manifest names", run: oldest_rust }])
-}
-
-/// Runs the check as a step of `cargo xtask test all`: if rustup cannot get the oldest Rust, the step says so and
-/// passes.
-///
-/// # Errors
-/// As [`oldest_rust`].
-pub(crate) fn where_it_is() -> Result<Done, String> {
-    match oldest_rust()? {
-        Done::Good => Ok(Done::Good),
-        Done::NotRun(missing) => {
-            println!("not run: {} is not here; install: {}", missing.tool, missing.install);
-            Ok(Done::Good)
-        }
-    }
 }
 
 fn oldest_rust() -> Result<Done, String> {

@@ -19,7 +19,6 @@ use crate::fuzz;
 use crate::gate::{Gated, Pace, Uses, run_gated, run_one};
 use crate::hosts;
 use crate::nautical;
-use crate::oldest_rust;
 use crate::pages;
 use crate::passivity;
 use crate::scenarios;
@@ -52,7 +51,7 @@ const OWN: [Gated; 7] = [
 ];
 
 /// The steps that also need other tools, or that compile everything once more.
-const MORE: [Gated; 26] = [
+const MORE: [Gated; 25] = [
     gated("lints", "lints", lints, &["build"], DEBUG),
     in_browser("speed", pages::FAST, &["browser"]),
     gated("python", "the Python package", python_package, &["release"], RELEASE),
@@ -99,13 +98,6 @@ const MORE: [Gated; 26] = [
         RELEASE,
     ),
     computing("attacks", attack::STEP, &["tests", "python"], DEBUG),
-    gated(
-        "oldest-rust",
-        "the oldest Rust that the manifest names",
-        oldest_rust::where_it_is,
-        &["lints"],
-        Uses::Builds("oldest-rust"),
-    ),
     gated(
         "instructions",
         "instruction counts, which decide nothing",
