@@ -61,7 +61,7 @@ test(`no tick is late while ${VIEWS} views draw for ${MEASURED_S} s`, async () =
   const [late, drawnAfter] = [(await lateTicks()) - lateBefore, await drawn()];
   const rates = drawnAfter.map((count, index) => (count - (drawnBefore[index] ?? 0)) / MEASURED_S);
   const load = (loadavg()[0] ?? 0).toFixed(1);
-  console.log(`${late} late ticks of ${MEASURED_S * 10}; load ${load} on ${cpus().length} cores`);
+  console.log(`${late} late ticks in ${MEASURED_S} s; load ${load} on ${cpus().length} cores`);
   console.log(`drawings a second: ${rates.map((rate) => rate.toFixed(1)).join(", ")}`);
   for (const rate of rates) expect(rate, "each view draws").toBeGreaterThan(0);
   expect(late).toBe(0);

@@ -15,7 +15,7 @@ const LARGEST_LOAD: f64 = 1e15;
 pub(crate) const LONGEST_STEP_S: f64 = 1e6;
 pub(crate) const SHORTEST_STEP_S: f64 = 1e-9;
 
-/// Refuses a model that has bodies on piles, for a method of contact that knows no piles.
+/// Refuses a model that has bodies on piles.
 ///
 /// # Errors
 /// A model with a body on a pile fails with [`StepError::OnPile`], which names the first such body.

@@ -35,7 +35,7 @@ impl Hydrodynamics {
     }
 
     /// What is odd about the data but does no harm: a small negative damping, or added mass and damping that contradict
-    /// each other by more than half of the limit beyond which data are refused.
+    /// each other by 25 to 40 % of the largest added mass. Data with a larger contradiction are refused.
     #[must_use]
     pub fn doubts(&self) -> &[SeakeepingError] {
         &self.doubts

@@ -88,8 +88,8 @@ impl BerthingEnergy {
 }
 
 /// Energy of an abnormal berthing (J): the energy of a normal berthing times a factor of 1.25 to 2.0 by type and size
-/// of ship. Source of the formula: found (a part of PIANC 2002's method as public manuals print it). We know the table
-/// of factors by type of ship only from memory, so the user gives the factor.
+/// of ship. Source of the formula: found, as [`crate::berthing`] explains this word. We know the table of factors by type
+/// of ship only from memory, so the user gives the factor.
 ///
 /// # Errors
 /// Fails if the factor or the energy is out of range.
