@@ -48,6 +48,21 @@ def run(*command: str | Path, cwd: Path = ROOT, **environment: str) -> None:
     print(f"-- {time.monotonic() - began:.0f} s", flush=True)
 
 
+def install_list(python: str | Path, requirements: Path) -> None:
+    """Installs the packages of a list: by uv where it is installed, which takes a tenth of pip's time, else by pip."""
+    uv = shutil.which("uv")
+    if uv is not None:
+        try:
+            return run(uv, "pip", "install", "--quiet", "--python", python, "-r", requirements)
+        except subprocess.CalledProcessError as error:
+            print(f"uv failed with exit code {error.returncode}; pip installs the packages", flush=True)
+    run(*pip_install(python), "-r", requirements)
+
+
+def pip_install(python: str | Path) -> list[str | Path]:
+    return [python, "-m", "pip", "--disable-pip-version-check", "install", "--quiet"]
+
+
 def target_folder() -> Path:
     cargo = os.environ.get("CARGO", "cargo")
     metadata = subprocess.run(
@@ -69,9 +84,8 @@ def test_wheel(wheel: Path, pythons: list[str]) -> None:
             folder = Path(text)
             run(interpreter, "-m", "venv", folder / "venv")
             python = folder / "venv" / ("Scripts" if os.name == "nt" else "bin") / "python"
-            pip = [python, "-m", "pip", "--disable-pip-version-check", "install", "--quiet"]
-            run(*pip, "-r", OWN / "requirements-test.txt")
-            run(*pip, wheel.resolve())
+            install_list(python, OWN / "requirements-test.txt")
+            run(*pip_install(python), wheel.resolve())
             # The tests read scenarios and documents beside them; no source of the package is copied.
             beside = [
                 "scenarios",
@@ -97,11 +111,10 @@ def main() -> None:
         shutil.rmtree(folder)
     venv.create(folder, with_pip=True)
     python = folder / ("Scripts" if os.name == "nt" else "bin") / "python"
-    pip = [python, "-m", "pip", "--disable-pip-version-check", "install", "--quiet"]
-    run(*pip, "-r", OWN / "requirements-test.txt")
+    install_list(python, OWN / "requirements-test.txt")
     if "--heavy" in sys.argv[1:]:
-        run(*pip, "-r", OWN / "requirements-heavy.txt")
-    run(*pip, ".", CARGO_TARGET_DIR=str(target))
+        install_list(python, OWN / "requirements-heavy.txt")
+    run(*pip_install(python), ".", CARGO_TARGET_DIR=str(target))
     # The program with which the package's numbers are compared: `cargo xtask test` names the one that it has built.
     program = os.environ.get("FENDERLINE_PROGRAM")
     if program is None:

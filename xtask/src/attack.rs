@@ -14,7 +14,7 @@ use crate::step::{Done, Step};
 /// Default time for all parts of the attack together (s).
 const SECONDS: u64 = 600;
 /// Time of the attack in continuous integration (s): long enough to show that each part works.
-const SECONDS_OF_GATE: u64 = 120;
+const SECONDS_OF_GATE: u64 = 60;
 /// Seed of the attack in continuous integration: a fixed seed, so that the outcome depends only on the change under
 /// test.
 const SEED_OF_GATE: u64 = 20_261_122;

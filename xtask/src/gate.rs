@@ -79,9 +79,17 @@ enum Outcome {
 /// Runs `steps`. If the variable `CI` is set, a missing tool is a failure, so that no step is skipped unnoticed. Steps
 /// that depend on a failed step do not begin; all other steps do, so that one run shows all failures.
 pub(crate) fn run_gated(steps: &[Gated]) -> ExitCode {
+    let before = processors_s();
     match run_steps(steps) {
         Ok(ended) => {
             print_table(steps, &ended);
+            if let (Some(before), Some(after)) = (before, processors_s()) {
+                println!(
+                    "all programs on the machine: {:.0} s; the processors had nothing to do for {:.0} s",
+                    after.busy_s - before.busy_s,
+                    after.idle_s - before.idle_s
+                );
+            }
             conclude(steps, &ended)
         }
         Err(why) => {
@@ -242,10 +250,35 @@ fn behind_others(program: &Path) -> Command {
     }
 }
 
+/// Linux counts processor time in hundredths of a second for programs, whatever the kernel's own clock.
+const TICKS_PER_S: f64 = 100.0;
+
+/// Time of all processors together since the machine started.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Processors {
+    busy_s: f64,
+    idle_s: f64,
+}
+
+/// Time of all processors, by Linux's `/proc`. Programs that leave the step that starts them, as those of a browser do,
+/// are in this time and not in the time of the step.
+fn processors_s() -> Option<Processors> {
+    read_processors(&std::fs::read_to_string("/proc/stat").ok()?)
+}
+
+fn read_processors(stat: &str) -> Option<Processors> {
+    // user, nice, system, idle, waiting for a disk, interrupts in two kinds; guests are in the first two.
+    let line = stat.lines().next()?.strip_prefix("cpu ")?;
+    let ticks: Result<Vec<f64>, _> = line.split_whitespace().take(7).map(str::parse).collect();
+    let [user, nice, system, idle, disk, interrupts, soft] = ticks.ok()?.try_into().ok()?;
+    Some(Processors {
+        busy_s: (user + nice + system + interrupts + soft) / TICKS_PER_S,
+        idle_s: (idle + disk) / TICKS_PER_S,
+    })
+}
+
 /// Processor time of all programs that this process has started and waited for (s), by Linux's `/proc`.
 fn processor_time_of_children_s() -> Option<f64> {
-    // Linux counts in hundredths of a second for programs, whatever the kernel's own clock.
-    const TICKS_PER_S: f64 = 100.0;
     let stat = std::fs::read_to_string("/proc/self/stat").ok()?;
     // The name of the program stands in parentheses and may have spaces. Fields 16 and 17 are the children's times; the
     // first after the name is field 3.
@@ -318,7 +351,7 @@ fn conclude(steps: &[Gated], ended: &[Ended]) -> ExitCode {
 
 #[cfg(test)]
 mod tests {
-    use super::{Gated, Pace, Uses, is_ready};
+    use super::{Gated, Pace, Processors, Uses, is_ready, read_processors};
     use crate::step::{Done, Step};
 
     const fn step(key: &'static str, after: &'static [&'static str], uses: Uses) -> Gated {
@@ -349,5 +382,11 @@ mod tests {
     fn no_step_begins_without_a_processor() {
         assert!(!is_ready(&STEPS, 1, &[2], &[], 0));
         assert!(!is_ready(&STEPS, 2, &[1], &[], 0));
+    }
+    #[test]
+    fn the_time_of_all_processors_is_read() {
+        let stat = "cpu  100 200 300 4000 500 60 70 0 0 0\ncpu0 1 2 3 4 5 6 7 0 0 0\n";
+        assert_eq!(read_processors(stat), Some(Processors { busy_s: 7.3, idle_s: 45.0 }));
+        assert_eq!(read_processors("cpu0 1 2 3"), None);
     }
 }

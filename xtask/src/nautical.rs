@@ -7,6 +7,7 @@ use crate::built;
 use crate::command::{run, run_quietly};
 use crate::step::{Done, Step};
 use crate::tools::{self, Missing};
+use crate::virtual_environment::install;
 
 /// The parsers of NMEA and AIS sentences, from Python's package index.
 const PARSERS: [&str; 4] =
@@ -28,9 +29,7 @@ fn parsers() -> Result<Done, String> {
         Path::new(FOLDER).join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
     if !has_parsers(&own) {
         let made = run_quietly(Command::new(python).args(["-m", "venv", FOLDER]));
-        let mut pip = Command::new(&own);
-        pip.args(["-m", "pip", "install", "--quiet"]).args(PARSERS);
-        if made.and_then(|_| run_quietly(&mut pip)).is_err() {
+        if made.and_then(|_| install(&own, &PARSERS)).is_err() {
             return Ok(Done::NotRun(Missing {
                 tool: "pynmea2, pynmeagps, pyais and simpleais",
                 install: "pip install pynmea2 pynmeagps pyais simpleais",

@@ -90,13 +90,7 @@ const MORE: [Gated; 25] = [
     gated("c", "C: examples and guide", c_interface::examples, &["dist"], RELEASE),
     gated("cpp", "C++: example, guide of game loops", wrappers::cpp, &["dist"], RELEASE),
     gated("csharp", "C#: example", wrappers::csharp, &["dist"], RELEASE),
-    gated(
-        "c-calls",
-        "C: random calls",
-        || c_interface::random_calls(c_interface::SEQUENCES),
-        &["dist"],
-        RELEASE,
-    ),
+    gated("c-calls", "C: random calls", random_calls, &["dist"], RELEASE),
     computing("attacks", attack::STEP, &["tests", "python"], DEBUG),
     gated(
         "instructions",
@@ -360,9 +354,14 @@ fn python_package() -> Result<Done, String> {
     .map(|()| Done::Good)
 }
 
-/// Runs few random impacts on fenders; `cargo xtask passivity` has twenty times as many.
+/// Runs few random impacts on fenders; `cargo xtask passivity` has fifty times as many.
 fn passive() -> Result<Done, String> {
-    passivity::passivity(5_000).map(|()| Done::Good)
+    passivity::passivity(passivity::EPISODES / 50).map(|()| Done::Good)
+}
+
+/// Runs few random sequences of calls; `cargo xtask c` has five times as many.
+fn random_calls() -> Result<Done, String> {
+    c_interface::random_calls(c_interface::SEQUENCES / 5)
 }
 
 fn licences() -> Result<Done, String> {

@@ -32,9 +32,26 @@ pub(crate) fn environment(
     }
     println!("{}, from PyPI, into {}", requirements.display(), folder.display());
     run_quietly(Command::new(python).args(["-m", "venv", "--clear"]).arg(folder))?;
-    let mut install = Command::new(&own);
-    install.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r"]);
-    run_quietly(install.arg(requirements))?;
+    install(&own, &["-r", &requirements.to_string_lossy()])?;
     std::fs::write(&stamp, wanted).map_err(|e| format!("{}: {e}", stamp.display()))?;
     Ok(own)
+}
+
+/// Installs packages for `python`, which is the one of a virtual environment: by uv where uv is installed, which takes a
+/// tenth of pip's time, else by pip. `wanted` are names of packages, or `-r` and a list of requirements.
+///
+/// # Errors
+/// Fails if a package could not be installed.
+pub(crate) fn install(python: &Path, wanted: &[&str]) -> Result<(), String> {
+    if run_quietly(Command::new("uv").arg("--version")).is_ok() {
+        let mut uv = Command::new("uv");
+        uv.args(["pip", "install", "--quiet", "--python"]).arg(python);
+        match run_quietly(uv.args(wanted)) {
+            Ok(_) => return Ok(()),
+            Err(why) => println!("uv failed, and pip installs the packages: {why}"),
+        }
+    }
+    let mut pip = Command::new(python);
+    pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check"]);
+    run_quietly(pip.args(wanted)).map(|_| ())
 }
