@@ -111,8 +111,12 @@ export interface Browser {
   close(): Promise<void>;
 }
 
-/** Time between two drawings of a page in CI (ms). A page that draws as often as it can would keep a processor busy. */
-const DRAWS_EACH_MS = 50;
+/**
+ * Time between two drawings in CI (ms), of a page and of a page with a view that the processor draws. A page that draws as often as
+ * it can would keep a processor busy, and a view all of them.
+ */
+const PAGE_EACH_MS = 50;
+const VIEW_EACH_MS = 200;
 
 /** Runs in a page before the page's own scripts: lets the page draw at most once in `each_ms`. */
 function drawSeldom(each_ms: number): void {
@@ -143,8 +147,8 @@ export async function browse(
   touch = false,
   /** More flags of the browser. Those of `SOFTWARE_WEBGL` stand in place of `--disable-gpu`. */
   flags: string[] = [],
-  /** Whether pages draw as often as they can. A view that drew seldom would make its picture coarser. */
-  drawsOften = !process.env.CI || flags === SOFTWARE_WEBGL,
+  /** Whether pages draw as often as they can. A view that draws seldom makes its picture coarser. */
+  drawsOften = !process.env.CI,
 ): Promise<Browser> {
   const context = await chromium.launchPersistentContext(
     mkdtempSync(join(tmpdir(), "fenderline-e2e-")),
@@ -159,7 +163,8 @@ export async function browse(
       hasTouch: touch,
     },
   );
-  if (!drawsOften) await context.addInitScript(drawSeldom, DRAWS_EACH_MS);
+  const each_ms = flags === SOFTWARE_WEBGL ? VIEW_EACH_MS : PAGE_EACH_MS;
+  if (!drawsOften) await context.addInitScript(drawSeldom, each_ms);
   return { context, close: () => context.close() };
 }
 

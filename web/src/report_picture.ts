@@ -48,6 +48,17 @@ export function withPicture(html: string, drawn: Drawn): string {
 const LOOKS_MS = 100;
 const GIVES_UP_MS = 60_000;
 
+/** Whether a tab shows the whole report at the address; `null`: the tab is closed, or shows another site. */
+function shows(tab: Window, address: string): boolean | null {
+  if (tab.closed) return null;
+  try {
+    return tab.location.href === address && tab.document.readyState === "complete";
+  } catch {
+    // A browser refuses to tell the address of another site, to which the user has led the tab.
+    return null;
+  }
+}
+
 /**
  * Puts the picture into the report that a tab of ours shows or will show, with a link that saves the report with the picture.
  * `address`: that of the report; `name`: of the saved file.
@@ -55,10 +66,8 @@ const GIVES_UP_MS = 60_000;
 export function illustrate(tab: Window, address: string, name: string, drawn: Drawn): void {
   const begun = performance.now();
   const timer = setInterval(() => {
-    const gone = tab.closed || performance.now() - begun > GIVES_UP_MS;
-    const isThere =
-      !gone && tab.location.href === address && tab.document.readyState === "complete";
-    if (!gone && !isThere) return;
+    const isThere = shows(tab, address);
+    if (isThere === false && performance.now() - begun < GIVES_UP_MS) return;
     clearInterval(timer);
     if (!isThere) return;
     insertPicture(tab.document, drawn);

@@ -6,47 +6,21 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::step::{Done, Step};
 
 /// This step belongs to `cargo xtask test all`.
 pub(crate) const STEP: Step = Step { name: "no circles of files", run: circles };
 
-/// Folders of the crates that are scanned, which are all crates.
-const CRATES: [&str; 23] = [
-    "crates/contact",
-    "crates/ship",
-    "crates/world",
-    "crates/assess",
-    "crates/sim",
-    "crates/keys",
-    "crates/scenario",
-    "crates/author",
-    "crates/results",
-    "crates/embed",
-    "crates/capi",
-    "crates/fmu",
-    "crates/live",
-    "crates/nautical",
-    "crates/report",
-    "crates/serve",
-    "crates/validate",
-    "crates/campaign",
-    "crates/measured",
-    "crates/app",
-    "crates/wasm",
-    "crates/python",
-    "xtask",
-];
-
 /// A file by its module path; the path of the crate's root is empty.
 type Module = Vec<String>;
 
 fn circles() -> Result<Done, String> {
     let mut faults = String::new();
-    for name in CRATES {
-        let sources = sources(Path::new(name).join("src").as_path())?;
+    for folder in crates()? {
+        let name = folder.display();
+        let sources = sources(&folder.join("src"))?;
         let uses = uses(&sources);
         for circle in components(&uses) {
             faults += &format!("{name}: a circle of {} files:\n", circle.len());
@@ -58,6 +32,22 @@ fn circles() -> Result<Done, String> {
         }
     }
     if faults.is_empty() { Ok(Done::Good) } else { Err(faults) }
+}
+
+/// Folders of the crates that are scanned: all in `crates`, and `xtask`.
+fn crates() -> Result<Vec<PathBuf>, String> {
+    const CRATES: &str = "crates";
+    let failed = |e| format!("{CRATES}: {e}");
+    let entries = fs::read_dir(CRATES).map_err(failed)?;
+    let mut folders = vec![PathBuf::from("xtask")];
+    for entry in entries {
+        let folder = entry.map_err(failed)?.path();
+        if folder.join("Cargo.toml").is_file() {
+            folders.push(folder);
+        }
+    }
+    folders.sort();
+    Ok(folders)
 }
 
 fn text(module: &[String]) -> String {

@@ -24,6 +24,7 @@ mod hosts;
 mod live_load;
 mod nautical;
 mod oldest_rust;
+mod once_more;
 mod pages;
 mod passivity;
 mod program;
@@ -74,6 +75,8 @@ usage: cargo xtask test                   what a change must pass and Rust alone
        cargo xtask dist c PREFIX          the C library for this machine, with headers, pkg-config and CMake files, into PREFIX
        cargo xtask hosts                  FMUs in FMPy, libcosim and ecos, which come from PyPI
        cargo xtask oldest-rust            what users build, with the oldest Rust that Cargo.toml names
+       cargo xtask once-more              that, fuzz targets for a minute, documentation of private items: checks that
+                                          compile everything once more, and so are no part of the tests
        cargo xtask passivity [EPISODES]   random impacts on fenders: none may gain energy (default: 100000)
        cargo xtask live-load [SECONDS]    the live server with 8 clients and 50 hostile ones (default: 20 s)
        cargo xtask pages                  the live server's pages: checked, built, driven in a browser
@@ -114,7 +117,8 @@ fn main() -> ExitCode {
             Ok(seconds) => fuzz::fuzz_command(seconds),
             Err(_) => usage(),
         },
-        ["oldest-rust"] => oldest_rust::oldest_rust_command(),
+        ["oldest-rust"] => step::run_all(&[oldest_rust::STEP]),
+        ["once-more"] => step::run_all(&once_more::STEPS),
         ["passivity"] => passivity::passivity_command(passivity::EPISODES),
         ["passivity", episodes] => match episodes.parse() {
             Ok(episodes) => passivity::passivity_command(episodes),

@@ -1,11 +1,11 @@
 //! `cargo xtask oldest-rust` checks that everything users build compiles with the oldest Rust that `Cargo.toml` names.
-//! The check compiles all libraries once more, and is a job of its own of the public host. Every run of the lints finds
+//! The check compiles all libraries once more, and so is part of `cargo xtask once-more`. Every run of the lints finds
 //! uses of the standard library that the oldest Rust does not have (Clippy's `incompatible_msrv`).
 
-use std::process::{Command, ExitCode};
+use std::process::Command;
 
 use crate::command::{run, run_quietly};
-use crate::step::{Done, Step, run_all};
+use crate::step::{Done, Step};
 use crate::tools::Missing;
 use crate::virtual_environment::target_folder;
 
@@ -14,9 +14,8 @@ const PACKAGES: [&str; 5] =
     ["fenderline", "fenderline-capi", "fenderline-fmu", "fenderline-python", "xtask"];
 
 /// `cargo xtask oldest-rust`.
-pub(crate) fn oldest_rust_command() -> ExitCode {
-    run_all(&[Step { name: "the oldest Rust that the manifest names", run: oldest_rust }])
-}
+pub(crate) const STEP: Step =
+    Step { name: "the oldest Rust that the manifest names", run: oldest_rust };
 
 fn oldest_rust() -> Result<Done, String> {
     let manifest = std::fs::read_to_string("Cargo.toml").map_err(|e| format!("Cargo.toml: {e}"))?;
