@@ -164,6 +164,9 @@ test("one looks around by drag, wheel and keys, which steer no rudder", async ()
   await page.keyboard.press("ArrowLeft");
   await page.keyboard.press("ArrowLeft");
   await expect.poll(() => caption.textContent()).toMatch(/\(P \d+°\)/);
+  // A button of the view that was pressed leaves the keys to the view: once `2` gave a tug half power then.
+  await page.locator(".window-tools").getByText("Stb", { exact: true }).click();
+  await expect.poll(() => caption.textContent()).toContain("Starboard bridge wing");
   await page.keyboard.press("2");
   await expect.poll(() => caption.textContent()).toContain("Port bridge wing");
   await page.mouse.move(box.x + 300, box.y + 100);

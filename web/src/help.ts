@@ -47,6 +47,11 @@ export class Help {
         h(
           "li",
           {},
+          "View: drag to look around. While the view or a button of it has the focus, 1 to 8 are its cameras, M its marks, + and − its angle, Home looks ahead; Tab takes the keys back to the controls. Marks show figures, the loads of fenders, lines and tugs, and in orange the predicted path on the water with her hull at every minute.",
+        ),
+        h(
+          "li",
+          {},
           "Measure: scale, range rings, a bearing line whose knob you drag, the position under the pointer, and bearing and distance between two points that you touch.",
         ),
         h(

@@ -546,7 +546,8 @@ describe("a hull", () => {
       ],
     ];
     for (const [outline, vessel] of outlines) {
-      const made = shipParts(arrangementOf(vessel, outline), PAINTS[0] ?? TUG_PAINT);
+      const fairleads: [number, number, number][] = [[outline[0]?.[0] ?? 0, 0, 6]];
+      const made = shipParts(arrangementOf(vessel, outline), PAINTS[0] ?? TUG_PAINT, fairleads);
       for (const { positions, normals } of [made.painted, made.panes]) {
         expect(positions.every(Number.isFinite)).toBe(true);
         expect(normals.every(Number.isFinite)).toBe(true);

@@ -117,18 +117,26 @@ describe("figures", () => {
   const frame = (berth: object | null, turn = 0.001): Frame =>
     ({
       bodies: [[0, 0, 20 * DEG, 0, 0, turn]],
-      vessels: [{ ground_mps: [1, -0.2], berth }],
+      vessels: [{ ground_mps: [1, -0.2], berth, under_keel_m: berth ? 3.25 : null }],
+      wind: { speed_mps: 10, from_rad: Math.PI },
     }) as unknown as Frame;
 
   test("have heading, rate of turn and speeds, and at a berth distances and closing speeds", () => {
     expect(figures(frame(null), hello, 0)).toEqual([
       "020.0°, starboard 3.4°/min; 1.9 kn ahead, 0.4 kn to port",
+      "Wind 19 kn from 180°",
     ]);
-    const berth = { bow_m: 34.2, stern_m: -0.4, bow_mps: 0.12, stern_mps: -0.034 };
+    const ends = { bow: "off", stern: "at_fenders" };
+    const berth = { ...ends, bow_m: 34.2, stern_m: -0.4, bow_mps: 0.12, stern_mps: -0.034 };
     expect(figures(frame(berth, 0), hello, 0)).toEqual([
       "020.0°, steady; 1.9 kn ahead, 0.4 kn to port",
-      "Bow 34.2 m off, 0.12 m/s closing; stern 0 m off, 0.03 m/s opening",
+      "Bow 34.2 m off, 0.12 m/s closing; stern 0.4 m pressed in, 0.03 m/s opening",
+      "Wind 19 kn from 180°; 3.3 m under the keel",
     ]);
+    const past = { ...berth, stern: "no_fender" };
+    expect(figures(frame(past, 0), hello, 0)[1]).toContain("stern 0.4 m behind the fender line");
+    const there = { ...berth, stern_m: -0.04 };
+    expect(figures(frame(there, 0), hello, 0)[1]).toContain("stern 0 m off");
   });
 
   test("are none of a vessel that fog hides", () => {

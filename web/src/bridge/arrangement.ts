@@ -151,3 +151,7 @@ export function arrangementOf(vessel: Vessel, outline: Pair[]): Arrangement {
     conning: eye,
   };
 }
+
+/** Height of a fairlead above the water where no height is given: on a tug her staple, else a hand above the deck [m]. */
+export const fairleadHeight = ({ hull, kind, length_m }: Arrangement, forward_m: number): number =>
+  hull.deck_m(forward_m) + (kind === "tug" ? 0.05 * length_m : 0.35);

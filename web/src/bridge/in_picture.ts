@@ -5,7 +5,7 @@
 import { type Triple, plus, scaled } from "./axes";
 import { PIECES } from "./catenary";
 import type { Colour } from "./solids";
-import type { Frame, Hello, Pair, PathPoint, ShipPath } from "../protocol";
+import type { BerthEnd, Frame, Hello, Pair, PathPoint, ShipPath } from "../protocol";
 import { onEarth } from "../geometry";
 import {
   distance,
@@ -169,6 +169,19 @@ function speeds(ahead_mps: number, starboard_mps: number): string {
   return all.length > 0 ? all.join(", ") : "at rest";
 }
 
+/** Wind, and the water under the keel: the strip of the plan, which has them, is closed where the view has its place. */
+function around({ wind }: Frame, under_keel_m: number | null): string {
+  const water = under_keel_m === null ? "" : `; ${fixed(under_keel_m, 1)} m under the keel`;
+  return `Wind ${fixed(toKnots(wind.speed_mps), 0)} kn from ${heading(wind.from_rad, 0)}${water}`;
+}
+
+/** Where an end of the ship is, from the line of the undeflected fenders. */
+function off(end: BerthEnd, m: number): string {
+  if (fixed(-m, 1).startsWith("-") || fixed(-m, 1) === "0.0")
+    return `${distance(Math.max(0, m))} off`;
+  return `${fixed(-m, 1)} m ${end === "at_fenders" ? "pressed in" : "behind the fender line"}`;
+}
+
 /** The lines of figures over the picture. */
 export function figures(
   frame: Frame,
@@ -188,12 +201,14 @@ export function figures(
   const [ahead, starboard] = now.ground_mps;
   const first = `${heading(body[2])}, ${rate}; ${speeds(ahead, starboard)}`;
   const berth = frame.vessels[ship]?.berth ?? null;
-  if (!berth) return [first];
-  const end = (name: string, m: number, mps: number) =>
-    `${name} ${distance(Math.max(0, m))} off, ${Math.abs(mps) < 0.005 ? "still" : `${fixed(Math.abs(mps), 2)} m/s ${mps < 0 ? "opening" : "closing"}`}`;
+  const last = around(frame, now.under_keel_m);
+  if (!berth) return [first, last];
+  const end = (name: string, at: BerthEnd, m: number, mps: number) =>
+    `${name} ${off(at, m)}, ${Math.abs(mps) < 0.005 ? "still" : `${fixed(Math.abs(mps), 2)} m/s ${mps < 0 ? "opening" : "closing"}`}`;
   return [
     first,
-    `${ship === vessel ? "" : `${spoken(hello.vessels[ship]?.name ?? "")}: `}${end(ship === vessel ? "Bow" : "bow", berth.bow_m, berth.bow_mps)}; ${end("stern", berth.stern_m, berth.stern_mps)}`,
+    `${ship === vessel ? "" : `${spoken(hello.vessels[ship]?.name ?? "")}: `}${end(ship === vessel ? "Bow" : "bow", berth.bow, berth.bow_m, berth.bow_mps)}; ${end("stern", berth.stern, berth.stern_m, berth.stern_mps)}`,
+    last,
   ];
 }
 

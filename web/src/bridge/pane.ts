@@ -529,7 +529,8 @@ export class Pane {
       },
       { passive: false },
     );
-    canvas.addEventListener("keydown", (event) => {
+    // A button of the view that was pressed has the focus: the keys of the view work there too.
+    this.root.addEventListener("keydown", (event) => {
       if (event.ctrlKey || event.altKey || event.metaKey) return;
       const step = this.view() * KEY_SHARE;
       const done: Record<string, () => void> = {

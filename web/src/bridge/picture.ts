@@ -17,7 +17,7 @@ import {
   Vector3,
   WebGLRenderer,
 } from "three";
-import { type Arrangement, type Vessel, arrangementOf } from "./arrangement";
+import { type Arrangement, type Vessel, arrangementOf, fairleadHeight } from "./arrangement";
 import { type Attitude, LEVEL, aim, fixedIn, stand } from "./aim";
 import { type Triple, aboard, toPicture } from "./axes";
 import { BIGHT_M, QUAY_M, bollard, deckHeight, fixedParts, quay, quaysOf } from "./berth";
@@ -50,7 +50,7 @@ import { Ropes } from "./ropes";
 import { Sea, type Wake } from "./sea";
 import { PAINTS, shipParts } from "./ship";
 import { shine, sky, skyUniforms } from "./sky";
-import { Solids, linearOf } from "./solids";
+import { Solids, type Spot, linearOf } from "./solids";
 import { TUG_PAINT } from "./tug";
 import { sunOf } from "./sun";
 import { surface } from "./waves";
@@ -266,7 +266,9 @@ export class Picture {
       } else if (outline.length >= 3) {
         const info = hello.vessels[vessel];
         const known = info ?? unknown(outline, hello.bodies[i]?.name ?? "");
-        const built = this.ship(known, outline, vessel >= 0 ? vessel : i, [steel, panes]);
+        const lines = hello.lines.filter(({ ship }) => ship === i);
+        const look = vessel >= 0 ? vessel : i;
+        const built = this.ship(known, outline, look, [steel, panes], lines);
         group.add(built.group);
         this.ships.push({ ...built, body: i, index: vessel, group });
       }
@@ -347,11 +349,17 @@ export class Picture {
     outline: Pair[],
     index: number,
     [steel, panes]: [Mesh["material"], Mesh["material"]],
+    lines: LineInfo[] = [],
   ): Omit<Ship, "body" | "index"> {
     const arrangement = arrangementOf(vessel, outline);
     const paint: Paint =
       arrangement.kind === "tug" ? TUG_PAINT : (PAINTS[index % PAINTS.length] ?? TUG_PAINT);
-    const parts = shipParts(arrangement, paint);
+    const fairleads = lines.map(({ fairlead_m: [forward, side], fairlead_above_water_m }): Spot => [
+      forward,
+      side,
+      fairlead_above_water_m || fairleadHeight(arrangement, forward),
+    ]);
+    const parts = shipParts(arrangement, paint, fairleads);
     const group = new Group();
     const hull = new Mesh(geometryOf(parts.painted), steel);
     hull.castShadow = hull.receiveShadow = true;
@@ -868,8 +876,7 @@ export class Picture {
   private fairlead(body: number, at: Pair): number {
     const ship = this.ships.find((each) => each.body === body);
     if (!ship) return this.deck(body, at) + BIGHT_M;
-    const { hull, kind, length_m } = ship.arrangement;
-    return hull.deck_m(at[0]) + (kind === "tug" ? 0.05 * length_m : 0.35);
+    return fairleadHeight(ship.arrangement, at[0]);
   }
 
   // -------------------------------------------------------------------------------------------------------- lights

@@ -30,13 +30,15 @@ const BOXES: Colour[] = [
   0x44595a,
 ];
 
-export function shipParts(ship: Arrangement, paint: Paint): Parts {
+/** `fairleads`: places of the fairleads of the lines, as (forward, to starboard, above the water) [m]. */
+export function shipParts(ship: Arrangement, paint: Paint, fairleads: Spot[] = []): Parts {
   const parts: Parts = { painted: new Solids(), panes: new Solids() };
   hullParts(ship, paint, parts.painted);
   if (ship.kind === "tug") tugParts(ship, paint, parts);
   else {
     houseParts(ship, paint, parts);
     mooringDeck(ship, parts.painted);
+    for (const at of fairleads) fairlead(ship, at, parts.painted);
     if (ship.kind === "container") containers(ship, parts.painted);
     else if (ship.kind === "tanker") pipes(ship, parts.painted);
     else if (ship.kind === "ro-ro") garage(ship, paint, parts);
@@ -304,6 +306,15 @@ function mooringDeck({ hull, length_m, beam_m }: Arrangement, to: Solids): void 
         return [at, wide - side * 0.12, hull.deck_m(f)] as Spot;
       }),
     );
+}
+
+/** A roller fairlead on a stand, so that a line whose fairlead is higher than the deck does not end in the air. */
+function fairlead({ hull }: Arrangement, [forward, side, up]: Spot, to: Solids): void {
+  const deck = hull.deck_m(forward);
+  if (up < deck) return;
+  to.post([forward, side, deck], [forward, side, up - 0.15], 0.2, 0x2a2f33, { upper_m: 0.3 });
+  for (const step of [-0.3, 0.3])
+    to.post([forward + step, side, up - 0.2], [forward + step, side, up + 0.25], 0.1, STEEL);
 }
 
 /** Hatches with their covers. Ships have no cranes here, which would stand in the view from the bridge. */

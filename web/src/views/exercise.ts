@@ -1,6 +1,6 @@
 /** The exercise: its goal and how far it is reached; for the instructor the score with every deduction, and the report. */
 import type { Page } from "../page";
-import type { ExerciseInfo, Frame, Hello } from "../protocol";
+import type { ExerciseInfo, ExerciseNow, Frame, Hello } from "../protocol";
 import { button, h, setClass, setText } from "../ui/dom";
 import { clock } from "../units";
 import type { View } from "./view";
@@ -9,6 +9,14 @@ interface Row {
   root: HTMLElement;
   now: HTMLElement;
   points: HTMLElement;
+}
+
+/** How an exercise that is over has ended. */
+export function ended({ state, ended_s }: ExerciseNow): string {
+  const at = ended_s === null ? "" : ` at ${clock(ended_s)}`;
+  return state === "reached"
+    ? `Exercise finished: goal reached${at}.`
+    : `Exercise finished: time over${at}, goal not reached.`;
 }
 
 export class Exercise implements View {
@@ -65,17 +73,9 @@ export class Exercise implements View {
 
   tick({ exercise, marks }: Frame): void {
     if (!exercise) return;
-    const { state, ended_s, held_s, conditions } = exercise;
-    const at = ended_s === null ? "" : ` at ${clock(ended_s)}`;
+    const { state, held_s, conditions } = exercise;
     const open = state === "running";
-    setText(
-      this.state,
-      open
-        ? "The exercise goes on."
-        : state === "reached"
-          ? `Exercise finished: goal reached${at}.`
-          : `Exercise finished: time over${at}, goal not reached.`,
-    );
+    setText(this.state, open ? "The exercise goes on." : ended(exercise));
     setClass(this.state, "ok", state === "reached");
     setClass(this.state, "alarm", state === "time_over");
     setClass(this.root, "over", !open);

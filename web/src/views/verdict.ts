@@ -5,6 +5,7 @@
 import type { Frame, Gravity, VerdictNow } from "../protocol";
 import { button, h, setClass, setText } from "../ui/dom";
 import { clock } from "../units";
+import { ended } from "./exercise";
 import type { View } from "./view";
 
 /** The style class of a gravity; none for what is well or only to be known. */
@@ -23,6 +24,7 @@ export function setGravity(element: HTMLElement, gravity: Gravity): void {
 }
 
 export class Verdict implements View {
+  private readonly goal = h("p", { class: "verdict-goal hidden" });
   private readonly words = h("p", { class: "verdict", "aria-label": "Verdict" });
   private readonly when = h("p", { class: "note" });
   private readonly list = h("ul", { class: "rows", "aria-label": "Findings" });
@@ -34,20 +36,24 @@ export class Verdict implements View {
     this.root = h(
       "div",
       { class: "verdict-view" },
+      this.goal,
       this.words,
       this.when,
       this.list,
       h(
         "p",
         { class: "note" },
-        "The verdict is the worst finding of the run since its start. Go back on the timeline to see when it came.",
+        `The verdict is the worst finding of the run since its start.${largest ? " Go back on the timeline to see when it came." : ""}`,
       ),
       largest && button("Picture of the largest fender load", largest),
     );
   }
 
   tick(frame: Frame): void {
-    const { verdict } = frame;
+    const { verdict, exercise } = frame;
+    const isOver = exercise !== null && exercise.state !== "running";
+    setClass(this.goal, "hidden", !isOver);
+    if (isOver) setText(this.goal, ended(exercise));
     setText(this.words, verdict.text);
     setGravity(this.words, verdict.gravity);
     const rewound = frame.tick < frame.run.last_tick;
