@@ -125,13 +125,20 @@ export class Fenders implements View {
       const load = Math.max(now.peak_of_energy, now.peak_of_reaction);
       if (load > most) [most, name] = [load, spoken(hello.fenders[i]?.name ?? "")];
     });
-    const touched = frame.fenders.filter((f) => f.touched).length;
+    // Tugs have fenders too, which say nothing about the berthing; where no others are, they count.
+    const isCounted = (i: number) => {
+      const info = hello.fenders[i];
+      return info !== undefined && !isOfTug(info, hello);
+    };
+    const others = frame.fenders.filter((_, i) => isCounted(i));
+    const counted = others.length > 0 ? others : frame.fenders;
+    const touched = counted.filter((f) => f.touched).length;
     const highest = most > 0 ? ` · highest so far ${percent(most)} of rated, ${name}` : "";
     setText(
       this.worst,
       touched > 0
-        ? `${touched} of ${frame.fenders.length} touched so far${highest}`
-        : `${frame.fenders.length} fenders, none touched yet`,
+        ? `${touched} of ${counted.length} touched so far${highest}`
+        : `${counted.length} fenders, none touched yet`,
     );
   }
 }
