@@ -47,7 +47,7 @@ export class Help {
         h(
           "li",
           {},
-          "View: drag to look around. While the view or a button of it has the focus, 1 to 8 are its cameras, M its marks, + and − its angle, Home looks ahead; Tab takes the keys back to the controls. Marks show figures, the loads of fenders, lines and tugs, and in orange the predicted path on the water with her hull at every minute.",
+          "View: drag to look around. While the view or one of the buttons of the view has the focus, the keys 1 to 8 choose the camera, M shows the marks, + and − change the angle of view, and Home looks ahead. A click on the controls gives the keys back to the ship. Marks are figures, the loads of fenders, lines and tugs, and in orange the predicted path on the water, with the hull of the ship at every minute.",
         ),
         h(
           "li",

@@ -383,6 +383,7 @@ mod tests {
         assert!(!is_ready(&STEPS, 1, &[2], &[], 0));
         assert!(!is_ready(&STEPS, 2, &[1], &[], 0));
     }
+
     #[test]
     fn the_time_of_all_processors_is_read() {
         let stat = "cpu  100 200 300 4000 500 60 70 0 0 0\ncpu0 1 2 3 4 5 6 7 0 0 0\n";

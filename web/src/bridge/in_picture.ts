@@ -175,10 +175,12 @@ function around({ wind }: Frame, under_keel_m: number | null): string {
   return `Wind ${fixed(toKnots(wind.speed_mps), 0)} kn from ${heading(wind.from_rad, 0)}${water}`;
 }
 
+/** A smaller deflection is not told: figures have steps of 0.1 m [m]. */
+const SEEN_M = 0.05;
+
 /** Where an end of the ship is, from the line of the undeflected fenders. */
 function off(end: BerthEnd, m: number): string {
-  if (fixed(-m, 1).startsWith("-") || fixed(-m, 1) === "0.0")
-    return `${distance(Math.max(0, m))} off`;
+  if (m > -SEEN_M) return `${distance(Math.max(0, m))} off`;
   return `${fixed(-m, 1)} m ${end === "at_fenders" ? "pressed in" : "behind the fender line"}`;
 }
 
