@@ -10,6 +10,9 @@ use crate::step::{Done, Step, run_all};
 use crate::tools;
 
 const TARGET: &str = "wasm32-unknown-unknown";
+/// The settings of the module's build. They change the release profile, so that macros are built once for the program
+/// and the module.
+const PROFILE: &str = "crates/wasm/profile.toml";
 /// The npm package's folder.
 pub(crate) const PACKAGE: &str = "crates/wasm/npm";
 const WEB: &str = "web";
@@ -58,8 +61,8 @@ fn package(scripts: &[&str]) -> Result<Done, String> {
             return Ok(Done::NotRun(missing));
         }
     }
-    let module = ["build", "--profile", "wasm", "--target", TARGET, "--package", "fenderline-wasm"];
-    run(&mut cargo(module))?;
+    let mut module = cargo(["build", "--release", "--config", PROFILE, "--target", TARGET]);
+    run(module.args(["--package", "fenderline-wasm"]))?;
     run(&mut cargo(["build", "--package", "xtask-bindgen"]))?;
     let target = target_folder()?;
     let raw = Path::new(PACKAGE).join("dist").join("raw");
@@ -67,7 +70,7 @@ fn package(scripts: &[&str]) -> Result<Done, String> {
         std::fs::remove_dir_all(&raw).map_err(|e| format!("{}: {e}", raw.display()))?;
     }
     let bindgen = target.join("debug").join("xtask-bindgen");
-    let module = target.join(TARGET).join("wasm").join("fenderline_wasm.wasm");
+    let module = target.join(TARGET).join("release").join("fenderline_wasm.wasm");
     run(Command::new(bindgen).arg(module).arg(&raw))?;
     for licence in ["LICENSE-MIT", "LICENSE-APACHE"] {
         let copy = Path::new(PACKAGE).join(licence);

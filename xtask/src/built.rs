@@ -21,14 +21,17 @@ pub(crate) const TESTED: [&str; 7] = [
 /// The kinds of targets that have tests in these packages. Examples are left out: with `--examples` cargo would build
 /// each example as a test, under another name.
 pub(crate) const TARGETS: [&str; 3] = ["--lib", "--bins", "--tests"];
-/// The packages that users build, and the package of an example that steps a scenario.
-const USED: [&str; 10] = [
+/// The packages that users build, the package of an example that steps a scenario, and the features that the program
+/// shares with the wheel.
+const USED: [&str; 12] = [
     "--package",
     "fenderline",
     "--package",
     "fenderline-capi",
     "--package",
     "fenderline-fmu",
+    "--package",
+    "fenderline-features",
     "--package",
     "fenderline-wasm",
     "--package",
@@ -99,4 +102,44 @@ pub(crate) fn tests(arguments: &[&str]) -> Command {
     let mut tests = cargo(["test", "--quiet", "--test", "all"]);
     tests.args(TESTED).arg("--").args(arguments);
     tests
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::{BTreeMap, BTreeSet};
+
+    use super::USED;
+    use crate::command::{cargo, run_quietly};
+
+    /// The features of each library that the given packages stand on, by name and version. A library that is built with
+    /// several sets of features has each of them.
+    fn features(selected: &[&str]) -> BTreeMap<String, BTreeSet<String>> {
+        let mut tree = cargo(["tree", "--edges", "normal,build", "--prefix", "none"]);
+        tree.args(["--format", "{p}\t{f}"]).args(selected);
+        let mut features: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+        for line in run_quietly(&mut tree).unwrap().lines() {
+            let Some((library, asked)) = line.split_once('\t') else { continue };
+            let library = library.trim_end_matches(" (proc-macro)").to_owned();
+            let asked = asked.trim_end_matches(" (*)").trim().to_owned();
+            features.entry(library).or_default().insert(asked);
+        }
+        features
+    }
+
+    #[test]
+    fn the_wheel_asks_the_same_features_of_libraries_as_the_program() {
+        let program = features(&USED);
+        let wheel = features(&["--package", "fenderline-python"]);
+        assert!(wheel.len() > 50, "{} libraries", wheel.len());
+        let shared = wheel.iter().filter_map(|(library, asked)| {
+            program.get(library).map(|of_program| (library, of_program, asked))
+        });
+        for (library, of_program, asked) in shared {
+            assert_eq!(
+                of_program, asked,
+                "the program (left) and the wheel (right) ask different features of {library}, so that the wheel \
+                 compiles {library} once more: state the features in crates/features/Cargo.toml"
+            );
+        }
+    }
 }
