@@ -8,6 +8,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
+import { withClock } from "../src/units";
 import { type Browser, SHOTS, browse, open, serve, underTest } from "./browser";
 
 interface Case {
@@ -48,7 +49,13 @@ function summary(scenario: string, set: string[]): Summary {
 const shownOn = async (page: Page) => ({
   inBar: await page.locator(".verdict-button").textContent(),
   text: await page.locator("p.verdict").textContent(),
-  findings: await page.getByRole("list", { name: "Findings" }).locator("li").allTextContents(),
+  findings: (
+    await Promise.all(
+      ["Findings", "Notes"].map((name) =>
+        page.locator(`ul[aria-label="${name}"] li`).allTextContents(),
+      ),
+    )
+  ).flat(),
 });
 
 for (const [index, { name, scenario, set, text }] of SHOWN.entries()) {
@@ -78,7 +85,7 @@ for (const [index, { name, scenario, set, text }] of SHOWN.entries()) {
     const said = {
       inBar: text,
       text,
-      findings: verdict.findings.map((finding) => `${finding.text}.`),
+      findings: verdict.findings.map((finding) => `${withClock(finding.text)}.`),
     };
     for (const page of [instructor, pilot]) {
       await page.bringToFront();

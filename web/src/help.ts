@@ -62,7 +62,7 @@ export class Help {
         h(
           "li",
           {},
-          "Docking: the colours follow the speed limit at the foot of the board, which you can change. Farther off the limit is higher: she still has room to slow down. The board has the speeds of the ends of her flat side towards the berth; the plan has the sideways speeds at bow and stern.",
+          "Docking: the colours follow the speed limit at the foot of the board, which you can change: amber above two thirds of the limit, red above the limit. Farther off the limit is higher: she still has room to slow down. The board has the speeds of the ends of her flat side towards the berth; the plan has the sideways speeds at bow and stern.",
         ),
         h(
           "li",

@@ -262,6 +262,8 @@ export type ExerciseInfo = {
   ship: string;
   /** The conditions of the goal in words. All conditions must hold at the same time. */
   goal: Array<string>;
+  /** The lines of which the goal asks a tension; `null` if it asks none. */
+  tension: TensionInfo | null;
   /** Time for which all conditions of the goal must hold (s). */
   hold_s: number;
   time_limit_s: number | null;
@@ -276,6 +278,16 @@ export type ExerciseInfo = {
 
 /** A place that a goal asks for, and the distance from this place that is still good enough. */
 export type PlaceInfo = { at_m: [number, number]; within_m: number };
+
+/** The tension that a goal asks of lines. */
+export type TensionInfo = {
+  /** Indices of the lines. */
+  lines: Array<number>;
+  /** Least tension (N). */
+  least_n: number;
+  /** Greatest tension (N); `null` if the goal has no greatest tension. */
+  most_n: number | null;
+};
 
 export type LimitInfo = {
   key: string;
@@ -727,6 +739,11 @@ export type AssistNow = {
   /** How far the tug has come with her order. */
   state: AssistState;
   /**
+   * Distance of the tug from the place of her order (m): of the tip of her bow while she is to push or to lie
+   * alongside, of her centre of gravity while she is to stand off. `null` while she is to pull.
+   */
+  away_m: number | null;
+  /**
    * Force of the tug on the ship: the push of the tug, or the tension of her line (N). The thrust of the tug is
    * larger while part of the thrust moves the tug.
    */
@@ -741,8 +758,9 @@ export type AssistState =
 export type BerthNow = {
   bow: BerthEnd;
   stern: BerthEnd;
-  /** The limit of the closing speed at the distance of the nearer end (m/s). */
-  limit_mps: number;
+  /** The limit of the closing speed at the distance of the bow (m/s). */
+  bow_limit_mps: number;
+  stern_limit_mps: number;
   bow_lamp: Lamp;
   stern_lamp: Lamp;
   /** Distance of the bow from the line of fenders (m). */

@@ -92,3 +92,10 @@ export function clock(t_s: number): string {
   const two = (n: number) => String(n).padStart(2, "0");
   return `${Math.floor(all / 3600)}:${two(Math.floor(all / 60) % 60)}:${two(all % 60)}`;
 }
+
+/** A sentence of the server, which counts the seconds of the run, with the times of the page's clock. */
+export const withClock = (text: string): string =>
+  text.replaceAll(
+    /\b(at|from) (\d+(?:\.\d+)?) s\b/g,
+    (_, word: string, s: string) => `${word} ${clock(Number(s))}`,
+  );

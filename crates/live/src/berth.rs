@@ -40,7 +40,8 @@ pub(crate) fn seen_from(
     BerthNow {
         bow: BerthEnd::Off,
         stern: BerthEnd::Off,
-        limit_mps: 0.0,
+        bow_limit_mps: 0.0,
+        stern_limit_mps: 0.0,
         bow_lamp: Lamp { light: Light::Ok, text: "" },
         stern_lamp: Lamp { light: Light::Ok, text: "" },
         bow_m: off_m[0],

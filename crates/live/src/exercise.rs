@@ -5,6 +5,7 @@ use fenderline_sim::{Setup, Simulation};
 
 use crate::message::{
     ConditionNow, ExerciseInfo, ExerciseMarks, ExerciseNow, LimitInfo, LimitNow, PlaceInfo,
+    TensionInfo,
 };
 
 /// The text of how an exercise ended, without its score. The text is `None` while the exercise goes on.
@@ -32,6 +33,14 @@ pub(crate) fn info(exercise: &Assessment, setup: &Setup) -> ExerciseInfo {
         task: of.task.clone(),
         ship: setup.bodies[ship].name.clone(),
         goal: of.goal.iter().map(|condition| condition.words()).collect(),
+        tension: of.goal.iter().find_map(|condition| match condition {
+            Condition::LinesFast { lines, tension_n: [least_n, most_n], .. } => Some(TensionInfo {
+                lines: lines.clone(),
+                least_n: *least_n,
+                most_n: most_n.is_finite().then_some(*most_n),
+            }),
+            _ => None,
+        }),
         hold_s: of.hold_s,
         time_limit_s: of.time_limit_s.is_finite().then_some(of.time_limit_s),
         pass_mark: of.pass_mark,

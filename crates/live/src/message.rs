@@ -134,6 +134,8 @@ pub struct ExerciseInfo {
     pub ship: String,
     /// The conditions of the goal in words. All conditions must hold at the same time.
     pub goal: Vec<String>,
+    /// The lines of which the goal asks a tension; `null` if it asks none.
+    pub tension: Option<TensionInfo>,
     /// Time for which all conditions of the goal must hold (s).
     pub hold_s: f64,
     pub time_limit_s: Option<f64>,
@@ -144,6 +146,18 @@ pub struct ExerciseInfo {
     pub place: Option<PlaceInfo>,
     /// Name of the mark of the berth; `null` if the exercise has no mark.
     pub mark: Option<String>,
+}
+
+/// The tension that a goal asks of lines.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(TS))]
+pub struct TensionInfo {
+    /// Indices of the lines.
+    pub lines: Vec<usize>,
+    /// Least tension (N).
+    pub least_n: f64,
+    /// Greatest tension (N); `null` if the goal has no greatest tension.
+    pub most_n: Option<f64>,
 }
 
 /// A place that a goal asks for, and the distance from this place that is still good enough.
@@ -773,6 +787,9 @@ pub struct AssistNow {
     pub place: Option<&'static str>,
     /// How far the tug has come with her order.
     pub state: AssistState,
+    /// Distance of the tug from the place of her order (m): of the tip of her bow while she is to push or to lie
+    /// alongside, of her centre of gravity while she is to stand off. `null` while she is to pull.
+    pub away_m: Option<f64>,
     /// Force of the tug on the ship: the push of the tug, or the tension of her line (N). The thrust of the tug is
     /// larger while part of the thrust moves the tug.
     pub force_n: f64,
@@ -797,8 +814,9 @@ pub enum AssistState {
 pub struct BerthNow {
     pub bow: BerthEnd,
     pub stern: BerthEnd,
-    /// The limit of the closing speed at the distance of the nearer end (m/s).
-    pub limit_mps: f64,
+    /// The limit of the closing speed at the distance of the bow (m/s).
+    pub bow_limit_mps: f64,
+    pub stern_limit_mps: f64,
     pub bow_lamp: Lamp,
     pub stern_lamp: Lamp,
     /// Distance of the bow from the line of fenders (m).

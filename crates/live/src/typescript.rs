@@ -227,6 +227,7 @@ fn protocol() -> String {
         SizeInfo,
         ExerciseInfo,
         PlaceInfo,
+        TensionInfo,
         LimitInfo,
         OrderInfo,
         ArgumentInfo,

@@ -71,6 +71,13 @@ export function catenary(from: Triple, to: Triple, line: Hanging, pieces: number
   });
 }
 
+/** A line as it lies on a quay: no place of the line that is over the quay is below the quay's top. */
+export const draped = (
+  points: Triple[],
+  isOverQuay: (at: Triple) => boolean,
+  top_m: number,
+): Triple[] => points.map((at) => (at[1] < top_m && isOverQuay(at) ? [at[0], top_m, at[2]] : at));
+
 /** A line whose ends are above each other hangs down as a loop. */
 function hangingDown(from: Triple, to: Triple, line: Hanging, pieces: number): Triple[] {
   const rise_m = to[1] - from[1];

@@ -215,9 +215,15 @@ export function figures(
 }
 
 /** Labels of forces: what a fender or a line bears, and what a tug does. */
-export const loadLabel = (at: Triple, newtons: number, share: number): Label => ({
+export const fenderLabel = (at: Triple, newtons: number, share: number): Label => ({
   at,
   text: force(newtons),
+  level: levelOf(share),
+});
+/** Tensions are in tonnes, as on the tab of the lines. */
+export const lineLabel = (at: Triple, newtons: number, share: number): Label => ({
+  at,
+  text: tonnes(newtons),
   level: levelOf(share),
 });
 export const tugLabel = (at: Triple, name: string, newtons: number): Label => ({

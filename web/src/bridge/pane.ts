@@ -46,6 +46,10 @@ const SAVED_MS = 10_000;
 /** Distances of the free eye [m]. */
 const OFF_LIMITS: Pair = [25, 3000];
 
+/** Width and height of a label in the picture, about [px]. */
+const LABEL_PX: Pair = [90, 24];
+/** The size of the words over the picture is asked again after this time [ms]. */
+const MEASURED_EVERY_MS = 500;
 /** How often the loading of the view is looked at before it counts as failed. */
 const LOADS_IN = 300;
 
@@ -67,6 +71,7 @@ export class Pane {
   private readonly caption = h("p", { class: "window-caption", "aria-live": "off" });
   /** Figures over the picture, and labels in it. */
   private readonly figures = h("div", { class: "window-figures hidden", "aria-live": "off" });
+  private readonly words = h("div", { class: "window-words" }, this.caption, this.figures);
   private readonly labels = h("div", { class: "window-labels", "aria-hidden": "true" });
   private readonly film = new Film();
   private readonly message = h("p", { class: "window-message hidden", role: "status" });
@@ -137,7 +142,7 @@ export class Pane {
       { class: "window", "aria-label": "View out of the window" },
       this.canvas,
       this.labels,
-      h("div", { class: "window-words" }, this.caption, this.figures),
+      this.words,
       this.message,
       h(
         "div",
@@ -318,12 +323,37 @@ export class Pane {
   private described_ms = 0;
   private drawings = 0;
 
+  private measured_ms = -Infinity;
+  /** Right and lower edge of the words over the picture [px]. */
+  private wordsTo: Pair = [0, 0];
+
+  /** The lower edge of a label [px]: a label that would lie under the words over the picture is below them. */
+  private below(x: number, y: number): number {
+    const [right, bottom] = this.wordsTo;
+    const isUnder = x - LABEL_PX[0] / 2 < right && y - LABEL_PX[1] < bottom;
+    return isUnder ? bottom + LABEL_PX[1] : y;
+  }
+
+  private measureWords(): void {
+    const now_ms = performance.now();
+    if (now_ms - this.measured_ms < MEASURED_EVERY_MS) return;
+    this.measured_ms = now_ms;
+    const all = [this.caption, this.figures].filter((each) => each.offsetHeight > 0);
+    const { offsetLeft, offsetTop } = this.words;
+    this.wordsTo = [
+      Math.max(0, ...all.map((each) => offsetLeft + each.offsetLeft + each.offsetWidth)),
+      all.length === 0 ? 0 : offsetTop + this.words.offsetHeight,
+    ];
+  }
+
   /** Figures and labels of the marks, at the places of this drawing. */
   private drawLabels(): void {
     const { hello, frame } = this.live;
     const shown = this.look.marks && this.picture && hello && frame;
     setClass(this.figures, "hidden", !shown);
     const all = shown ? (this.picture?.labelled() ?? []) : [];
+    if (all.length > 0) this.measureWords();
+    const { clientWidth, clientHeight } = this.labels;
     while (this.labels.children.length < all.length) this.labels.append(h("span"));
     [...this.labels.children].forEach((each, i) => {
       const label = all[i];
@@ -332,8 +362,9 @@ export class Pane {
       if (!label) return;
       setText(span, label.text);
       span.className = label.level;
-      span.style.left = `${(100 * label.x).toFixed(2)}%`;
-      span.style.top = `${(100 * label.y).toFixed(2)}%`;
+      const [x, y] = [label.x * clientWidth, label.y * clientHeight];
+      span.style.left = `${x.toFixed(1)}px`;
+      span.style.top = `${this.below(x, y).toFixed(1)}px`;
     });
     if (shown) {
       const vessel =

@@ -20,8 +20,8 @@ import {
 import { type Arrangement, type Vessel, arrangementOf, fairleadHeight } from "./arrangement";
 import { type Attitude, LEVEL, aim, fixedIn, stand } from "./aim";
 import { type Triple, aboard, toPicture } from "./axes";
-import { BIGHT_M, QUAY_M, bollard, deckHeight, fixedParts, quay, quaysOf } from "./berth";
-import { PIECES, catenary, weightOf } from "./catenary";
+import { BIGHT_M, QUAY_M, bollard, deckHeight, fixedParts, isInside, quay, quaysOf } from "./berth";
+import { PIECES, catenary, draped, weightOf } from "./catenary";
 import { type Seat, seatAtBollard, seatOn } from "./eyes";
 import { Fenders, geometryOf, middleOf } from "./fenders";
 import type { Paint } from "./fittings";
@@ -41,7 +41,8 @@ import {
   MOST_GHOSTS,
   arrow,
   colourOf,
-  loadLabel,
+  fenderLabel,
+  lineLabel,
   measuredStrokes,
   pathStrokes,
   tugLabel,
@@ -668,7 +669,7 @@ export class Picture {
       if (!now || (now.state !== "fast" && now.state !== "sent")) return;
       const ends = this.lineEnds(info, now, hello);
       if (!ends) return;
-      const points = catenary(
+      const hanging = catenary(
         ...ends,
         {
           tension_n: now.state === "fast" && now.tension_n > SLACK_N ? now.tension_n : 0,
@@ -679,6 +680,7 @@ export class Picture {
       );
       // A rope of 1 MN is about 60 mm thick.
       const radius = 0.03 * Math.sqrt(info.breaking_n / 1e6);
+      const points = this.onQuay(hanging, info, now, hello, radius);
       if (!marks || now.state !== "fast") {
         this.ropes.add(points, linearOf(now.over_working ? 0xe05a2a : 0xcfc6a8), radius);
         return;
@@ -687,7 +689,7 @@ export class Picture {
       const share = now.tension_n / Math.max(1, info.working_n);
       this.stroke({ points, colour: colourOf(share), radius_m: 1.2 * radius });
       const middle = points[Math.floor(PIECES / 2)];
-      if (middle && now.tension_n > 1000) this.labels.push(loadLabel(middle, now.tension_n, share));
+      if (middle && now.tension_n > 1000) this.labels.push(lineLabel(middle, now.tension_n, share));
     });
     hello.anchors.forEach((info, i) => {
       const now = frame.anchors[i];
@@ -788,7 +790,7 @@ export class Picture {
         this.stroke(each);
       const tug = hello.vessels.find(({ body, is_tug }) => is_tug && bodies.includes(body));
       const label: Triple = [at[0], at[1] + 1.2, at[2]];
-      this.labels.push(tug ? tugLabel(label, tug.name, size_n) : loadLabel(label, size_n, share));
+      this.labels.push(tug ? tugLabel(label, tug.name, size_n) : fenderLabel(label, size_n, share));
     }
     hello.tugs.forEach((info, i) => {
       const now = frame.tugs[i];
@@ -843,6 +845,28 @@ export class Picture {
   private worldOf(group: Group, [x, y, z]: Triple): Triple {
     const at = new Vector3(x, y, z).applyMatrix4(group.matrixWorld);
     return [at.x, at.y, at.z];
+  }
+
+  /** A line to a quay: where it would hang through the quay, it lies on the quay. */
+  private onQuay(
+    points: Triple[],
+    info: LineInfo,
+    now: LineNow,
+    hello: Hello,
+    radius_m: number,
+  ): Triple[] {
+    const end = now.bollard === null ? info.end : hello.bollards[now.bollard];
+    const quay = end && "body" in end ? hello.bodies[end.body] : undefined;
+    if (!end || !("body" in end) || !quay?.fixed) return points;
+    const on = this.bodies[end.body];
+    if (!on) return points;
+    const toQuay = this.inverse.copy(on.matrixWorld).invert();
+    const isOverQuay = (at: Triple) => {
+      const { x, z } = this.spot.set(...at).applyMatrix4(toQuay);
+      return isInside(quay.outline, [-z, x]);
+    };
+    const top_m = (this.decks[end.body] ?? QUAY_M) - this.water_m + radius_m;
+    return draped(points, isOverQuay, top_m);
   }
 
   /** Both ends of a line: its fairlead, and the bollard or place where it is fast. */

@@ -14,7 +14,7 @@ import type {
   VesselInfo,
 } from "../protocol";
 import { button, choices, h, setAttribute, setClass, setText } from "../ui/dom";
-import { spoken, tonnes } from "../units";
+import { fixed, spoken, tonnes } from "../units";
 import type { Group, KeyAction } from "./group";
 
 /** The powers that have a button, in percent: those within the server's limits of a share. */
@@ -280,12 +280,16 @@ export class VesselTug extends TugCard {
   }
 }
 
-function assistText({ state, force_n }: AssistNow): string {
+/** A tug that is told to stand off is at her place within this distance [m]. */
+const AT_HER_PLACE_M = 10;
+
+function assistText({ state, force_n, away_m }: AssistNow): string {
+  const toGo = away_m === null ? "" : `, ${fixed(away_m, 0)} m to go`;
   switch (state) {
     case "stands_off":
-      return "standing off";
+      return away_m === null || away_m < AT_HER_PLACE_M ? "standing off" : `goes off${toGo}`;
     case "comes_alongside":
-      return "comes alongside";
+      return `comes alongside${toGo}`;
     case "alongside":
       return "alongside";
     case "pushes":

@@ -66,7 +66,14 @@ class End {
     );
   }
 
-  show(end: BerthEnd, lamp: Lamp, off_m: number, closing_mps: number): void {
+  /** `limit_mps`: the limit of the closing speed at this distance; `null` far from the berth. */
+  show(
+    end: BerthEnd,
+    lamp: Lamp,
+    off_m: number,
+    closing_mps: number,
+    limit_mps: number | null,
+  ): void {
     // Four digits have no room.
     const isFar = Math.abs(off_m) >= 999.5;
     setText(
@@ -75,10 +82,10 @@ class End {
     );
     setText(this.unit, isFar ? "km" : "m");
     setText(this.speed, fixed(Math.abs(closing_mps), 2));
-    setText(
-      this.way,
-      closing_mps > STILL_MPS ? "▲ closing" : closing_mps < -STILL_MPS ? "▼ opening" : "■ still",
-    );
+    const way =
+      closing_mps > STILL_MPS ? "▲ closing" : closing_mps < -STILL_MPS ? "▼ opening" : "■ still";
+    const bySpeed = end === "off" && lamp.light !== "ok" && limit_mps !== null;
+    setText(this.way, bySpeed ? `${way}, limit ${fixed(limit_mps, 2)}` : way);
     setText(this.lamp, lamp.text);
     for (const name of LIGHTS) setClass(this.root, name, lamp.light === name);
     setAttribute(this.distance, "aria-label", `${this.name} distance`);
@@ -223,13 +230,20 @@ export class Docking implements View {
     setClass(this.ends, "far", ways !== null);
     if (ways) {
       const [bow, stern] = ways;
-      this.bow.show("past_end", onTheWay(bow), bow.off_m, bow.closing_mps);
-      this.stern.show("past_end", onTheWay(stern), stern.off_m, stern.closing_mps);
+      this.bow.show("past_end", onTheWay(bow), bow.off_m, bow.closing_mps, null);
+      this.stern.show("past_end", onTheWay(stern), stern.off_m, stern.closing_mps, null);
     } else {
-      this.bow.show(berth.bow, berth.bow_lamp, berth.bow_m, berth.bow_mps);
-      this.stern.show(berth.stern, berth.stern_lamp, berth.stern_m, berth.stern_mps);
+      const { bow_limit_mps, stern_limit_mps } = berth;
+      this.bow.show(berth.bow, berth.bow_lamp, berth.bow_m, berth.bow_mps, bow_limit_mps);
+      this.stern.show(
+        berth.stern,
+        berth.stern_lamp,
+        berth.stern_m,
+        berth.stern_mps,
+        stern_limit_mps,
+      );
     }
-    this.showLimit(frame.approach_mps, berth.limit_mps);
+    this.showLimit(frame.approach_mps, Math.min(berth.bow_limit_mps, berth.stern_limit_mps));
     this.showMark(frame, hello, index);
     // As seen from the ship facing the quay: starboard side to, the bow is on the left.
     const starboardTo = dot(turned(body[2] - quay[2], [0, 1]), hello.berth.facing) < 0;

@@ -1,9 +1,18 @@
 /** The lines: tension against working and breaking load, and the winches. */
 import { loadColour, palette } from "../palette";
 import { length, minus, onEarth } from "../geometry";
+import { firstOffered, fromFairlead } from "../lead";
 import type { Order } from "../orders";
 import type { Page } from "../page";
-import type { BodyNow, BollardInfo, Frame, Hello, LineInfo, LineNow } from "../protocol";
+import type {
+  BodyNow,
+  BollardInfo,
+  Frame,
+  Hello,
+  LineInfo,
+  LineNow,
+  TensionInfo,
+} from "../protocol";
 import { choices, h, setAttribute, setClass, setStyle, setText, sureButton } from "../ui/dom";
 import { fixed, percent, spoken, tonnes } from "../units";
 import type { View } from "./view";
@@ -25,6 +34,18 @@ function winchOrder(order: Winch, line: string, rate_mps: number): Order {
   return order === "hold" ? { do: order, line } : { do: order, line, rate_mps };
 }
 
+/** The tensions that the goal of the exercise asks for, on the bar of a line. */
+function goalBand({ least_n, most_n }: TensionInfo, breaking_n: number): HTMLElement {
+  const at = (newtons: number) => Math.min(100, (newtons / breaking_n) * 100);
+  const [from, to] = [at(least_n), at(most_n ?? breaking_n)];
+  const upTo = most_n === null ? " and more" : ` to ${tonnes(most_n)}`;
+  return h("div", {
+    class: "goal",
+    title: `goal: ${tonnes(least_n)}${upTo}`,
+    style: `left:${from}%;width:${to - from}%`,
+  });
+}
+
 class Row {
   private readonly fill = h("div", { class: "fill" });
   private readonly bar: HTMLElement;
@@ -37,7 +58,7 @@ class Row {
   private readonly sending: HTMLElement;
   private readonly work: HTMLElement;
   private shown_s = -Infinity;
-  /** A bollard was chosen by hand; until then it is the nearest. */
+  /** A bollard was chosen by hand; until then it is where a line of this name leads. */
   private chosen = false;
   /** Distance to each bollard as it is listed [m]. */
   private far = new Map<string, number>();
@@ -48,6 +69,8 @@ class Row {
     private readonly info: LineInfo,
     page: Page,
     private readonly hello: Hello,
+    /** What the goal of the exercise asks of this line. */
+    goal: TensionInfo | null,
   ) {
     const worked = (info.working_n / info.breaking_n) * 100;
     this.bar = h(
@@ -61,6 +84,7 @@ class Row {
       },
       this.fill,
       h("div", { class: "full", title: "working load", style: `left:${worked}%` }),
+      goal && goalBand(goal, info.breaking_n),
     );
     this.winch = choices<Winch>(
       `Winch of ${info.name}`,
@@ -138,7 +162,26 @@ class Row {
     );
     if (this.chosen && near.some(({ bollard }) => bollard.name === chosen))
       this.bollards.value = chosen;
+    else this.offer(ship, near, bodies);
     this.explain();
+  }
+
+  private offer(
+    ship: BodyNow,
+    near: { bollard: BollardInfo; m: number }[],
+    bodies: (BodyNow | null | undefined)[],
+  ): void {
+    const places = near.flatMap(({ bollard: { name, body, at_m }, m }) => {
+      const on = bodies[body];
+      if (!on) return [];
+      return [
+        { name, from_fairlead: fromFairlead(ship, this.info.fairlead_m, onEarth(on, at_m)), m },
+      ];
+    });
+    const offered = firstOffered(this.info.name, this.info.fairlead_m, places, (m) =>
+      this.reaches(m),
+    );
+    if (offered) this.bollards.value = offered.name;
   }
 
   /**
@@ -217,19 +260,28 @@ function mayWork(info: LineInfo, { role, vessels }: Hello): boolean {
 
 export class Lines implements View {
   private readonly rows: Row[];
+  /** The goal of the exercise asks for tensions. */
+  private readonly asked: boolean;
   private readonly why = h("p", { class: "note" });
   private readonly count = h("p", { class: "note count", "aria-live": "polite" });
   readonly root: HTMLElement;
 
   constructor(page: Page, hello: Hello) {
-    this.rows = hello.lines.map((info) => new Row(info, page, hello));
+    const goal = hello.exercise?.tension ?? null;
+    this.asked = goal !== null;
+    this.rows = hello.lines.map(
+      (info, i) => new Row(info, page, hello, goal?.lines.includes(i) ? goal : null),
+    );
+    // The ship's own lines come before the towlines.
+    const isTowline = (row: Row) => hello.lines[this.rows.indexOf(row)]?.end !== null;
+    const inOrder = this.rows.toSorted((a, b) => Number(isTowline(a)) - Number(isTowline(b)));
     this.root = h(
       "div",
       { class: "lines" },
       this.count,
       hello.lines.length === 0
         ? h("p", { class: "nothing" }, "No lines in this scenario.")
-        : h("ul", { class: "rows" }, ...this.rows.map((row) => row.root)),
+        : h("ul", { class: "rows" }, ...inOrder.map((row) => row.root)),
       this.why,
     );
   }
@@ -256,7 +308,7 @@ export class Lines implements View {
         ? hello.role.name === "tugmaster"
           ? "A tugmaster works the lines of her own tug."
           : "An observer works no line."
-        : "The stroke is the working load; the bar's end is the breaking load.",
+        : `The stroke is the working load; the bar's end is the breaking load${this.asked ? "; the frame is what the goal asks for" : ""}.`,
     );
   }
 }

@@ -2,9 +2,9 @@
  * The verdict on the run up to the shown tick, and what it comes from. The words are those of the server, which are those
  * of the terminal and the report.
  */
-import type { Frame, Gravity, VerdictNow } from "../protocol";
+import type { FindingNow, Frame, Gravity, VerdictNow } from "../protocol";
 import { button, h, setClass, setText } from "../ui/dom";
-import { clock } from "../units";
+import { clock, withClock } from "../units";
 import { ended } from "./exercise";
 import type { View } from "./view";
 
@@ -28,6 +28,13 @@ export class Verdict implements View {
   private readonly words = h("p", { class: "verdict", "aria-label": "Verdict" });
   private readonly when = h("p", { class: "note" });
   private readonly list = h("ul", { class: "rows", "aria-label": "Findings" });
+  private readonly notes = h("ul", { class: "rows", "aria-label": "Notes" });
+  private readonly noted = h(
+    "section",
+    { class: "hidden", "aria-label": "Notes on the run" },
+    h("h3", {}, "Notes"),
+    this.notes,
+  );
   private shown = "";
   readonly root: HTMLElement;
 
@@ -46,6 +53,7 @@ export class Verdict implements View {
         `The verdict is the worst finding of the run since its start.${largest ? " Go back on the timeline to see when it came." : ""}`,
       ),
       largest && button("Picture of the largest fender load", largest),
+      this.noted,
     );
   }
 
@@ -70,12 +78,15 @@ export class Verdict implements View {
     const key = JSON.stringify(findings);
     if (key === this.shown) return;
     this.shown = key;
-    this.list.replaceChildren(
-      ...findings.map(({ gravity, text }) => {
-        const row = h("li", {}, `${text}.`);
-        setGravity(row, gravity);
-        return row;
-      }),
-    );
+    const row = ({ gravity, text }: FindingNow) => {
+      const item = h("li", {}, `${withClock(text)}.`);
+      setGravity(item, gravity);
+      return item;
+    };
+    // What asks nothing of a pilot comes last.
+    const isNote = ({ gravity }: FindingNow) => gravity === "note";
+    this.list.replaceChildren(...findings.filter((each) => !isNote(each)).map(row));
+    this.notes.replaceChildren(...findings.filter(isNote).map(row));
+    setClass(this.noted, "hidden", !findings.some(isNote));
   }
 }

@@ -14,7 +14,7 @@ mod vessel;
 
 use self::board::BoardInput;
 use fenderline_contact::Vec2;
-use fenderline_contact::number::{greater, lesser};
+use fenderline_contact::number::greater;
 use fenderline_sim::berth::Berth;
 use fenderline_sim::mooring::WinchOrder;
 use fenderline_sim::order::{TugWord, Word};
@@ -60,6 +60,7 @@ pub(crate) fn after_tick(now: &Now, cast: &Cast, info: &Info) -> (Vec<Alarm>, Sa
 /// every frame: a touch of one tick raises an alarm too. Returns the values for strip charts after the tick.
 pub(crate) fn note_alarms(now: &mut Now, cast: &Cast, info: &Info) -> Sample {
     now.seen.note_passages(&now.simulation, info);
+    now.seen.note_tugs(&now.simulation);
     let (causes, sample) = after_tick(now, cast, info);
     now.alarms.update(causes, now.simulation.time_s());
     sample
@@ -135,7 +136,8 @@ fn fill_in_signals(of: &BoardInput<'_>, berth: &Berth, vessels: &mut [VesselNow]
         let ends = board::ends(of, berth, index, vessel);
         if let Some(lies) = &mut vessel.berth {
             [lies.bow, lies.stern] = ends;
-            lies.limit_mps = of.approach.at_mps(lesser(lies.bow_m, lies.stern_m));
+            lies.bow_limit_mps = of.approach.at_mps(lies.bow_m);
+            lies.stern_limit_mps = of.approach.at_mps(lies.stern_m);
             lies.bow_lamp = board::lamp(ends[0], of.approach.light(lies.bow_mps, lies.bow_m));
             lies.stern_lamp = board::lamp(ends[1], of.approach.light(lies.stern_mps, lies.stern_m));
         }

@@ -2,7 +2,7 @@
 
 use fenderline_contact::{Event, EventKind, Friction};
 use fenderline_sim::hydro::Force;
-use fenderline_sim::{Setup, Simulation, StepRecord, WorldEvent, WorldEventKind, called};
+use fenderline_sim::{Job, Setup, Simulation, StepRecord, WorldEvent, WorldEventKind, called};
 
 use super::passage::Passages;
 use crate::info::Info;
@@ -21,6 +21,8 @@ pub(crate) struct Seen {
     flow: Vec<Force>,
     /// Ships that pass vessels at rest.
     passages: Passages,
+    /// Bodies of tugs that have touched the ship at whose side they are ordered to lie or to push, and of this ship.
+    alongside: Vec<[usize; 2]>,
 }
 
 impl Seen {
@@ -56,6 +58,46 @@ impl Seen {
     /// Notes the ships that pass vessels at rest, and why lines parted in the step that was kept.
     pub(crate) fn note_passages(&mut self, simulation: &Simulation, info: &Info) {
         self.passages.note(simulation, info, &self.flow, &self.world_events);
+    }
+
+    /// A tug at the side of a ship loses the contact and has it again many times. The first touch after the order is an
+    /// event, and the others are not.
+    pub(crate) fn note_tugs(&mut self, simulation: &Simulation) {
+        let vessels = simulation.setup().world.vessels.iter().zip(simulation.vessels());
+        let ordered: Vec<[usize; 2]> = vessels
+            .filter_map(|(of, vessel)| match vessel.pilots.assist.as_ref()?.order.job {
+                Job::Push(push) => Some([of.body, push.ship]),
+                Job::Follow { .. } | Job::Pull { .. } => None,
+            })
+            .collect();
+        self.keep_first_touches(&ordered);
+    }
+
+    /// `ordered`: bodies of a tug and of the ship at whose side the tug is ordered to be.
+    fn keep_first_touches(&mut self, ordered: &[[usize; 2]]) {
+        let Seen { alongside, contact_events, .. } = self;
+        alongside.retain(|pair| ordered.contains(pair));
+        let mut came = Vec::new();
+        contact_events.retain(|event| {
+            let [one, two] = event.bodies.map(|body| body.0 as usize);
+            let Some(&pair) = ordered.iter().find(|pair| [[one, two], [two, one]].contains(pair))
+            else {
+                return true;
+            };
+            match event.kind {
+                EventKind::ContactBegan => {
+                    came.push(pair);
+                    !alongside.contains(&pair)
+                }
+                EventKind::ContactEnded => !alongside.contains(&pair),
+                _ => true,
+            }
+        });
+        for pair in came {
+            if !alongside.contains(&pair) {
+                alongside.push(pair);
+            }
+        }
     }
 
     pub(crate) fn passages(&self) -> &Passages {
@@ -221,5 +263,28 @@ mod tests {
         let [one, two] = [0, 1].map(|fender: usize| &*setup.fenders[fender].name);
         assert_eq!(touched, [format!("quay touches ship at {one}, {two}")]);
         assert_eq!(seen(vec![], &[EventKind::ContactEnded; 4]), ["quay leaves ship"]);
+    }
+
+    /// A tug that was told to stop lay at the side of a ship, and the log had a line for each touch.
+    #[test]
+    fn the_log_is_not_full_of_touches_of_a_tug_that_lies_alongside() {
+        let event = |kind| Event { bodies: [BodyId(4), BodyId(2)], kind };
+        let mut seen = Seen::default();
+        let mut step = |kind, ordered: &[[usize; 2]]| {
+            seen.contact_events = vec![event(kind)];
+            seen.keep_first_touches(ordered);
+            !seen.contact_events.is_empty()
+        };
+        use EventKind::{ContactBegan, ContactEnded};
+        let ordered = [[2, 4]];
+        assert!(step(ContactBegan, &ordered), "the first touch");
+        assert!(!step(ContactEnded, &ordered));
+        assert!(!step(ContactBegan, &ordered));
+        // Another order: she leaves, and this is an event.
+        assert!(step(ContactEnded, &[]));
+        assert!(step(ContactBegan, &ordered), "the first touch after a new order");
+        // Other pairs keep all their events.
+        assert!(step(ContactEnded, &[[1, 4]]));
+        assert!(step(ContactEnded, &[[1, 4]]));
     }
 }

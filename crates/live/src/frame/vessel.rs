@@ -1,5 +1,6 @@
 //! The present state of a vessel, for a frame.
 
+use fenderline_contact::{Vec2, vec2};
 use fenderline_sim::berth::Berth;
 use fenderline_sim::order::{SidePlace, TugWord, Word};
 use fenderline_sim::{Job, Pilots};
@@ -76,8 +77,12 @@ fn assist_now(now: &Now, tug: usize, job: &Job) -> AssistNow {
         let off_m = (place.on(outline, ship.ship.particulars.length_m)? - at_m).x.abs();
         (off_m < SAME_PLACE_M).then(|| place.word())
     };
+    let states = now.simulation.states();
+    let world = |body: usize, at_m| states[body].pose().apply(at_m);
+    let mut away_m = None;
     let (word, force_n, place, state, felt_n) = match *job {
         Job::Follow { ship, at_m, .. } => {
+            away_m = Some((world(own, Vec2::ZERO) - world(ship, at_m)).length());
             (TugWord::StandOff, 0.0, place(ship, at_m), AssistState::StandsOff, 0.0)
         }
         Job::Push(push) => {
@@ -85,7 +90,12 @@ fn assist_now(now: &Now, tug: usize, job: &Job) -> AssistNow {
             let pairs = [[own, push.ship], [push.ship, own]];
             let between = || now.seen.contacts().iter().filter(|c| pairs.contains(&c.bodies));
             let felt_n = between().map(|c| libm::hypot(c.force_n[0], c.force_n[1])).sum();
-            let state = match (between().next().is_some(), word) {
+            let bow = world(own, vec2(push.bow_m, 0.0));
+            let off_m = (bow - world(push.ship, push.at_m)).length();
+            away_m = Some(off_m);
+            // A tug that lies at the side loses the contact and has it again, as ship and tug move.
+            let is_there = off_m < AT_THE_SIDE_M || between().next().is_some();
+            let state = match (is_there, word) {
                 (false, _) => AssistState::ComesAlongside,
                 (true, TugWord::Stop) => AssistState::Alongside,
                 (true, _) => AssistState::Pushes,
@@ -100,8 +110,11 @@ fn assist_now(now: &Now, tug: usize, job: &Job) -> AssistNow {
         }
     };
     let power = force_n / setup.world.vessels[tug].bollard_pull_n();
-    AssistNow { order: word.word(), power, place, state, force_n: felt_n }
+    AssistNow { order: word.word(), power, place, state, away_m, force_n: felt_n }
 }
+
+/// A tug whose bow is nearer to the place of her order is alongside (m).
+const AT_THE_SIDE_M: f64 = 1.5;
 
 /// A point within this distance along the ship of a named position at her side belongs to that position (m).
 const SAME_PLACE_M: f64 = 1.0;

@@ -4,7 +4,7 @@ use fenderline_contact::number::{greater, lesser};
 
 use super::ExerciseSetup;
 use super::anchored::{AnchorPlace, Holding};
-use super::words::{force, metres, speed};
+use super::words::{metres, speed, tension};
 use crate::berth::Lie;
 use crate::simulation::Simulation;
 use fenderline_world::world::Mooring;
@@ -135,9 +135,9 @@ impl Condition {
             Condition::LinesFast { at_least, tension_n: [least, most], .. } => {
                 let lines = if *at_least == 1 { "line" } else { "lines" };
                 let tension = match (*least > 0.0, most.is_finite()) {
-                    (true, true) => format!(", {} to {} each", force(*least), force(*most)),
-                    (true, false) => format!(", at least {} each", force(*least)),
-                    (false, true) => format!(", at most {} each", force(*most)),
+                    (true, true) => format!(", {} to {} each", tension(*least), tension(*most)),
+                    (true, false) => format!(", at least {} each", tension(*least)),
+                    (false, true) => format!(", at most {} each", tension(*most)),
                     (false, false) => String::new(),
                 };
                 format!("{at_least} {lines} fast{tension}")

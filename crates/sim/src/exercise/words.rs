@@ -12,9 +12,13 @@ pub(super) fn angle(value_rad: f64) -> String {
     format!("{:.1}°", value_rad.to_degrees())
 }
 
-pub(super) fn force(value_n: f64) -> String {
-    format!("{:.0} kN", value_n / 1e3)
+/// Engineers have tensions of lines in kilonewtons, and mariners in tonnes.
+pub(super) fn tension(value_n: f64) -> String {
+    format!("{:.0} kN ({:.1} t)", value_n / 1e3, value_n / TONNE_N)
 }
+
+/// The weight of a tonne (N).
+const TONNE_N: f64 = 9806.65;
 
 pub(super) fn force_share(value: f64) -> String {
     format!("{:.0} % of break load", 100.0 * value)
