@@ -17,6 +17,9 @@ const PALETTES = ["day", "dusk", "night"];
 /** In CI the contrast of dusk and night is tried at one size: colours do not depend on it. */
 const palettesAt = (size: { width: number }) =>
   process.env.CI && size.width !== SIZES[0]?.width ? ["day"] : PALETTES;
+/** In CI one role is read at each size: the others have the same elements. Sizes of what is touched are measured for all. */
+const isRead = (role: string, size: { width: number }) =>
+  !process.env.CI || role === "pilot" || size.width === SIZES[0]?.width;
 const ROLES = ["pilot", "tugmaster", "instructor", "observer"];
 
 const errors: string[] = [];
@@ -72,7 +75,8 @@ for (const role of ROLES) {
       for (const group of await groups.all()) {
         await group.click();
         note(`${at} ${await group.textContent()}`, await sizes(page));
-        note(`${at} ${await group.textContent()}`, await axe(page, ".controls"));
+        if (isRead(role, size))
+          note(`${at} ${await group.textContent()}`, await axe(page, ".controls"));
       }
       // All of the page once, then the panel, which alone changes.
       for (const [i, tab] of (await page.getByRole("tab").all()).entries()) {
@@ -80,6 +84,7 @@ for (const role of ROLES) {
         await tab.click();
         if (name === "Charts") await page.locator(".uplot").first().waitFor();
         note(`${at} ${name}`, await sizes(page));
+        if (!isRead(role, size)) continue;
         const within = i === 0 ? undefined : ".panel";
         note(`${at} ${name}`, await inEachPalette(page, within, palettesAt(size)));
       }

@@ -115,7 +115,7 @@ export interface Browser {
  * Time between two drawings in CI (ms), of a page and of a page with a view that the processor draws. A page that draws as often as
  * it can would keep a processor busy, and a view all of them.
  */
-const PAGE_EACH_MS = 50;
+const PAGE_EACH_MS = 100;
 const VIEW_EACH_MS = 200;
 
 /** Runs in a page before the page's own scripts: lets the page draw at most once in `each_ms`. */

@@ -14,7 +14,7 @@ import { apart, signature } from "./signature";
 import type { Head } from "../src/bridge/headset";
 import type { Shown } from "../src/bridge/picture";
 import type { Frame } from "../src/protocol";
-import { force } from "../src/units";
+import { tonnes } from "../src/units";
 
 const SIZE = { width: 1280, height: 720 };
 const CAMERAS = ["Bridge", "Port", "Stb", "Bow", "Stern", "Tug", "Bollard", "Free"];
@@ -375,7 +375,7 @@ function agrees(shown: Shown, frame: Frame | undefined): void {
   );
   const fast = frame.lines.filter(({ state, tension_n }) => state === "fast" && tension_n > 1000);
   expect(fast.length).toBeGreaterThan(3);
-  for (const { tension_n } of fast) expect(shown.labels).toContain(force(tension_n));
+  for (const { tension_n } of fast) expect(shown.labels).toContain(tonnes(tension_n));
 }
 
 /** Meta's emulator of headsets in place of the browser's WebXR. */
@@ -596,6 +596,10 @@ const KEPT = new URL("window_pictures.json", import.meta.url).pathname;
  */
 const TOLERANCE = { mean: 1.5, most: 15 };
 
+/** In CI the first scenario has all cameras, and the others have one on board and one off the ship. */
+const camerasOf = (file: string): string[] =>
+  process.env.CI && file !== HARBOUR ? SOME_CAMERAS : CAMERAS;
+
 test("pictures of three scenarios from each camera are as the kept ones", async () => {
   const bless = process.env.BLESS === "1";
   const kept: Record<string, string> =
@@ -624,8 +628,8 @@ test("pictures of three scenarios from each camera are as the kept ones", async 
       { timeout: 60_000 },
     );
     await canvas(page).focus();
-    for (const [i, camera] of CAMERAS.entries()) {
-      await page.keyboard.press(String(i + 1));
+    for (const camera of camerasOf(file)) {
+      await page.keyboard.press(String(CAMERAS.indexOf(camera) + 1));
       await redrawn(page);
       const name = `${file.split("/").at(-1)?.replace(".toml", "") ?? ""} ${camera}`;
       found[name] = await signature(page, canvas(page));

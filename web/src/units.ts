@@ -93,9 +93,12 @@ export function clock(t_s: number): string {
   return `${Math.floor(all / 3600)}:${two(Math.floor(all / 60) % 60)}:${two(all % 60)}`;
 }
 
-/** A sentence of the server, which counts the seconds of the run, with the times of the page's clock. */
-export const withClock = (text: string): string =>
-  text.replaceAll(
+/**
+ * A sentence of the verdict as the page shows it. The server counts the seconds of the run and writes names as files have them; the
+ * page has a clock.
+ */
+export const spokenFinding = (text: string): string =>
+  spoken(text.replaceAll("length_bp", "length between perpendiculars")).replaceAll(
     /\b(at|from) (\d+(?:\.\d+)?) s\b/g,
     (_, word: string, s: string) => `${word} ${clock(Number(s))}`,
   );

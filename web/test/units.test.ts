@@ -10,7 +10,7 @@ import {
   rateOfTurn,
   sided,
   tonnes,
-  withClock,
+  spokenFinding,
   wrapped,
 } from "../src/units";
 
@@ -65,11 +65,11 @@ test("the load of a tug's own fender has the unit of her push", () => {
   expect(fenderLoad(300e3, false)).toBe("300 kN");
 });
 
-test("a sentence of the server has the times of the page's clock", () => {
-  expect(withClock("Line aft spring parted at 636.0 s under 1204 kN")).toBe(
+test("a sentence of the verdict has the times of the page's clock, and no names of keys", () => {
+  expect(spokenFinding("Line aft_spring parted at 636.0 s under 1204 kN")).toBe(
     "Line aft spring parted at 0:10:36 under 1204 kN",
   );
-  expect(withClock("ship was aground from 61.5 s for 12.0 s")).toBe(
+  expect(spokenFinding("ship was aground from 61.5 s for 12.0 s")).toBe(
     "ship was aground from 0:01:01 for 12.0 s",
   );
 });

@@ -63,13 +63,13 @@ fn package(scripts: &[&str]) -> Result<Done, String> {
     }
     let mut module = cargo(["build", "--release", "--config", PROFILE, "--target", TARGET]);
     run(module.args(["--package", "fenderline-wasm"]))?;
-    run(&mut cargo(["build", "--package", "xtask-bindgen"]))?;
+    run(&mut built::build("release", &["--package", "xtask-bindgen", "--bin", "xtask-bindgen"]))?;
     let target = target_folder()?;
     let raw = Path::new(PACKAGE).join("dist").join("raw");
     if raw.exists() {
         std::fs::remove_dir_all(&raw).map_err(|e| format!("{}: {e}", raw.display()))?;
     }
-    let bindgen = target.join("debug").join("xtask-bindgen");
+    let bindgen = built::folder("release").join("xtask-bindgen");
     let module = target.join(TARGET).join("release").join("fenderline_wasm.wasm");
     run(Command::new(bindgen).arg(module).arg(&raw))?;
     for licence in ["LICENSE-MIT", "LICENSE-APACHE"] {

@@ -126,20 +126,30 @@ mod tests {
         features
     }
 
-    #[test]
-    fn the_wheel_asks_the_same_features_of_libraries_as_the_program() {
-        let program = features(&USED);
-        let wheel = features(&["--package", "fenderline-python"]);
-        assert!(wheel.len() > 50, "{} libraries", wheel.len());
-        let shared = wheel.iter().filter_map(|(library, asked)| {
+    /// Checks that the packages `other`, which `name` names in the message, ask the features of the program.
+    fn ask_the_same_as_the_program(name: &str, other: &[&str]) {
+        let (program, other) = (features(&USED), features(other));
+        assert!(other.len() > 50, "{} libraries", other.len());
+        let shared = other.iter().filter_map(|(library, asked)| {
             program.get(library).map(|of_program| (library, of_program, asked))
         });
         for (library, of_program, asked) in shared {
             assert_eq!(
                 of_program, asked,
-                "the program (left) and the wheel (right) ask different features of {library}, so that the wheel \
-                 compiles {library} once more: state the features in crates/features/Cargo.toml"
+                "the program (left) and {name} (right) ask different features of {library}, so that {library} is \
+                 compiled once more: state the features in crates/features/Cargo.toml"
             );
         }
+    }
+
+    #[test]
+    fn the_wheel_asks_the_same_features_of_libraries_as_the_program() {
+        ask_the_same_as_the_program("the wheel", &["--package", "fenderline-python"]);
+    }
+
+    #[test]
+    fn the_program_that_makes_javascript_asks_no_other_features_than_the_program() {
+        let together = [&USED[..], &["--package", "xtask-bindgen"]].concat();
+        ask_the_same_as_the_program("the program that makes JavaScript", &together);
     }
 }

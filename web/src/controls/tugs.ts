@@ -284,12 +284,13 @@ export class VesselTug extends TugCard {
 const AT_HER_PLACE_M = 10;
 
 function assistText({ state, force_n, away_m }: AssistNow): string {
-  const toGo = away_m === null ? "" : `, ${fixed(away_m, 0)} m to go`;
+  // Short, because the card is narrow.
+  const toGo = away_m === null ? null : `${fixed(away_m, 0)} m to go`;
   switch (state) {
     case "stands_off":
-      return away_m === null || away_m < AT_HER_PLACE_M ? "standing off" : `goes off${toGo}`;
+      return (away_m ?? 0) < AT_HER_PLACE_M ? "standing off" : (toGo ?? "");
     case "comes_alongside":
-      return `comes alongside${toGo}`;
+      return toGo ?? "comes alongside";
     case "alongside":
       return "alongside";
     case "pushes":

@@ -4,7 +4,7 @@
  */
 import type { FindingNow, Frame, Gravity, VerdictNow } from "../protocol";
 import { button, h, setClass, setText } from "../ui/dom";
-import { clock, withClock } from "../units";
+import { clock, spokenFinding } from "../units";
 import { ended } from "./exercise";
 import type { View } from "./view";
 
@@ -79,7 +79,7 @@ export class Verdict implements View {
     if (key === this.shown) return;
     this.shown = key;
     const row = ({ gravity, text }: FindingNow) => {
-      const item = h("li", {}, `${withClock(text)}.`);
+      const item = h("li", {}, `${spokenFinding(text)}.`);
       setGravity(item, gravity);
       return item;
     };
