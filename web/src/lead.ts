@@ -2,8 +2,11 @@
 import { minus, onEarth, turned } from "./geometry";
 import type { BodyNow, Pair } from "./protocol";
 
-/** Where a line leads from its fairlead: towards the bow (1), towards the stern (−1), or across to the quay. */
-type Lead = 1 | -1 | "across";
+/** Where a line leads from its fairlead: towards the bow (1) or the stern (−1), by at least a multiple of its way across. */
+interface Lead {
+  to: 1 | -1;
+  along: number;
+}
 
 /** A spring leads along the ship by at least this multiple of its way across. */
 const SPRING_ALONG = 2;
@@ -21,13 +24,15 @@ export interface Place {
 export const fromFairlead = (ship: BodyNow, fairlead_m: Pair, at: Pair): Pair =>
   turned(-ship[2], minus(at, onEarth(ship, fairlead_m)));
 
-/** The way that a line leads, by its name and by the end of the ship where its fairlead is. */
-function lead(name: string, fairlead_m: Pair): Lead {
-  const toBow = fairlead_m[0] > 0 ? 1 : -1;
+/** The way that a line leads, by its name and by the end of the ship where its fairlead is; `null`: across to the quay. */
+function lead(name: string, fairlead_m: Pair): Lead | null {
+  const words = name.replaceAll("_", " ");
+  const toBow = fairlead_m[0] > 0;
   // A spring leads towards the other end of the ship.
-  if (/spring/i.test(name)) return toBow === 1 ? -1 : 1;
-  if (/\b(head|bow|stern)|^(head|bow|stern)/i.test(name.replaceAll("_", " "))) return toBow;
-  return "across";
+  if (/spring/i.test(words)) return { to: toBow ? -1 : 1, along: SPRING_ALONG };
+  // A breast line may be called by the end of the ship too.
+  if (/breast/i.test(words) || !/\b(head|bow|stern)/i.test(words)) return null;
+  return { to: toBow ? 1 : -1, along: END_ALONG };
 }
 
 /**
@@ -40,12 +45,11 @@ export function firstOffered(
   places: Place[],
   reaches: (m: number) => boolean,
 ): Place | undefined {
-  const to = lead(name, fairlead_m);
+  const leads = lead(name, fairlead_m);
+  if (leads === null) return places[0];
   const fits = ({ from_fairlead: [ahead, starboard], m }: Place) => {
-    if (to === "across") return true;
-    const along = to * ahead;
-    const least = /spring/i.test(name) ? SPRING_ALONG : END_ALONG;
-    return reaches(m) && along > 0 && along >= least * Math.abs(starboard);
+    const along = leads.to * ahead;
+    return reaches(m) && along > 0 && along >= leads.along * Math.abs(starboard);
   };
   return places.find(fits) ?? places[0];
 }

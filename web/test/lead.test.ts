@@ -28,6 +28,11 @@ test("a spring is offered a bollard towards the other end of the ship, another t
   expect(offered("aft_breast", [-75, -15])).toBe("b4");
 });
 
+test("a breast line that is called by an end of the ship is offered the nearest bollard", () => {
+  expect(offered("bow_breast", [75, -15])).toBe("b10");
+  expect(offered("stern breast", [-75, -15])).toBe("b4");
+});
+
 test("without a bollard within reach in this direction the nearest is offered", () => {
   expect(offered("aft_spring", [-75, -15], 8)).toBe("b4");
 });

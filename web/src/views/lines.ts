@@ -273,8 +273,9 @@ export class Lines implements View {
       (info, i) => new Row(info, page, hello, goal?.lines.includes(i) ? goal : null),
     );
     // The ship's own lines come before the towlines.
-    const isTowline = (row: Row) => hello.lines[this.rows.indexOf(row)]?.end !== null;
-    const inOrder = this.rows.toSorted((a, b) => Number(isTowline(a)) - Number(isTowline(b)));
+    const ofEnd = (isOwn: boolean) =>
+      this.rows.filter((_, i) => (hello.lines[i]?.end === null) === isOwn);
+    const inOrder = [...ofEnd(true), ...ofEnd(false)];
     this.root = h(
       "div",
       { class: "lines" },
