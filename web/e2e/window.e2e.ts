@@ -460,15 +460,18 @@ test("the view follows the timeline, films, and finds the largest fender load", 
   const film = await filmed;
   expect(film.suggestedFilename()).toMatch(/free-film-\d+s\.webm$/);
   expect(readFileSync(await film.path()).length).toBeGreaterThan(5000);
+  // A branch that begins ten seconds before the end has its 20 s too, however fast the film was saved.
+  const time = () => page.getByRole("timer").first().textContent();
+  await expect.poll(time, { timeout: 60_000 }).toMatch(/0:00:[45]\d|0:0[1-9]:/);
   // The same moment looks the same again, from the free eye too.
   await page.getByRole("button", { name: "Rewind to the start" }).click();
-  await expect.poll(() => page.getByRole("timer").first().textContent()).toContain("0:00:00");
+  await expect.poll(time).toContain("0:00:00");
   await redrawn(page);
   const first = await signature(page, canvas(page));
   await page.getByRole("button", { name: "To the end of the branch" }).click();
-  await expect.poll(() => page.getByRole("timer").first().textContent()).not.toContain("0:00:00");
+  await expect.poll(time).not.toContain("0:00:00");
   await page.getByRole("button", { name: "Rewind to the start" }).click();
-  await expect.poll(() => page.getByRole("timer").first().textContent()).toContain("0:00:00");
+  await expect.poll(time).toContain("0:00:00");
   await redrawn(page);
   expect(apart(first, await signature(page, canvas(page))).mean).toBeLessThan(TOLERANCE.mean);
   await page.getByRole("button", { name: "To the end of the branch" }).click();

@@ -34,7 +34,7 @@ import { button, h, setAttribute, setClass, setText } from "./ui/dom";
 import { TabRow } from "./ui/tab_row";
 import { Seat } from "./seat";
 import { Sound } from "./sound";
-import { clock, fixed, spoken, tugCalled } from "./units";
+import { clock, fixed, spoken, spokenFinding, tugCalled } from "./units";
 import { Alarms } from "./views/alarms";
 import { Anchors } from "./views/anchors";
 import { Conditions } from "./views/conditions";
@@ -614,7 +614,9 @@ export class App implements Page {
   private judged({ text, gravity, findings }: VerdictNow): void {
     setText(this.verdictButton, text);
     setAttribute(this.verdictButton, "aria-label", `Verdict: ${text}`);
-    this.verdictButton.title = findings.map((finding) => `${finding.text}.`).join("\n");
+    this.verdictButton.title = findings
+      .map((finding) => `${spokenFinding(finding.text)}.`)
+      .join("\n");
     setGravity(this.verdictButton, gravity);
   }
 

@@ -38,7 +38,7 @@ const HINTS: Record<Role["name"], Hint[]> = {
     {
       until: "tab",
       at: ['[role="tab"][aria-label="Docking"]'],
-      text: "The docking board has distance and speed at bow and stern; amber and red are too fast.",
+      text: "The docking board has distance and speed at bow and stern; amber is near the speed limit, red is too fast.",
     },
   ],
   tugmaster: [

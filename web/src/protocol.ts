@@ -63,7 +63,7 @@ export type TrialOrder = Order | TugOrder;
 export type Gravity = "ok" | "note" | "attention" | "failed";
 
 /** Number of this protocol. */
-export const PROTOCOL = 8;
+export const PROTOCOL = 9;
 
 /** Words for a tug. `stop`: no force; `stand_off`: she keeps clear of the side. */
 export type TugWord = "push" | "pull" | "stop" | "stand_off";
@@ -525,6 +525,8 @@ export type LineInfo = {
    * board until it is sent to a bollard.
    */
   end: LineEndInfo | null;
+  /** Whether the line goes between a tug and a ship. */
+  is_towline: boolean;
   breaking_n: number;
   /** Tension at which the line raises an alarm: half of the breaking load (N). */
   working_n: number;
@@ -790,7 +792,12 @@ export type BerthEnd =
  * The signal of the docking board for an end of a ship: the worse of two signals, one for the speed of the end and
  * one for its position.
  */
-export type Lamp = { light: Light; text: string };
+export type Lamp = {
+  light: Light;
+  text: string;
+  /** Whether the signal is that of the speed. */
+  by_speed: boolean;
+};
 
 /** A signal of the docking board. */
 export type Light = "ok" | "caution" | "alarm";

@@ -14,6 +14,7 @@ import { arrangementOf } from "../src/bridge/arrangement";
 import type { Triple } from "../src/bridge/axes";
 import { PIECES } from "../src/bridge/catenary";
 import { blocksOf, hides } from "../src/bridge/hidden";
+import { type Placed, placed } from "../src/bridge/labels";
 import { History } from "../src/history";
 import type { Frame, Hello, Pair, PathPoint } from "../src/protocol";
 
@@ -158,4 +159,32 @@ test("the moment of the largest fender load is that of the charts", () => {
   // Fenders without rating: the forces alone.
   history.samples = [sample(0, 0, 0, 0.2), sample(5, 0, 0, 0.9), sample(9, 0, 0, 0.1)];
   expect(history.largest_s()).toBe(5);
+});
+
+describe("labels in the picture", () => {
+  const label = (text: string, x: number, y: number, level: Placed["level"] = "plain") => ({
+    text,
+    x,
+    y,
+    level,
+  });
+
+  test("one that would lie under the words is below them", () => {
+    const all = placed([label("under", 100, 40), label("free", 500, 40)], [300, 80]);
+    expect(all.map(({ text, y }) => [text, y])).toEqual([
+      ["under", 104],
+      ["free", 40],
+    ]);
+  });
+
+  // Once labels were moved after those that lie on each other had been left out: a plain one hid an alarm.
+  test("of two that are moved to the same place the gravest is written", () => {
+    const all = placed([label("plain", 100, 30), label("alarm", 110, 70, "alarm")], [300, 80]);
+    expect(all.map(({ text }) => text)).toEqual(["alarm"]);
+  });
+
+  test("of two that lie on each other the gravest is written", () => {
+    const all = placed([label("plain", 500, 200), label("caution", 520, 210, "caution")], [0, 0]);
+    expect(all.map(({ text }) => text)).toEqual(["caution"]);
+  });
 });

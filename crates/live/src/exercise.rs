@@ -34,11 +34,16 @@ pub(crate) fn info(exercise: &Assessment, setup: &Setup) -> ExerciseInfo {
         ship: setup.bodies[ship].name.clone(),
         goal: of.goal.iter().map(|condition| condition.words()).collect(),
         tension: of.goal.iter().find_map(|condition| match condition {
-            Condition::LinesFast { lines, tension_n: [least_n, most_n], .. } => Some(TensionInfo {
-                lines: lines.clone(),
-                least_n: *least_n,
-                most_n: most_n.is_finite().then_some(*most_n),
-            }),
+            // Without tensions in the scenario the condition has all from zero to infinity.
+            Condition::LinesFast { lines, tension_n: [least_n, most_n], .. }
+                if *least_n > 0.0 || most_n.is_finite() =>
+            {
+                Some(TensionInfo {
+                    lines: lines.clone(),
+                    least_n: *least_n,
+                    most_n: most_n.is_finite().then_some(*most_n),
+                })
+            }
             _ => None,
         }),
         hold_s: of.hold_s,

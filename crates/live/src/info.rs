@@ -103,7 +103,11 @@ impl Info {
                 .map(|index| vessel_info(setup, cast, index))
                 .collect(),
             fenders: fenders.collect(),
-            lines: world.lines.iter().map(|line| line_info(line, &world.line_handling)).collect(),
+            lines: world
+                .lines
+                .iter()
+                .map(|line| line_info(line, is_towline(line, setup, cast), &world.line_handling))
+                .collect(),
             anchors: world.anchors.iter().map(|anchor| anchor_info(anchor, setup)).collect(),
             bollards: world.bollards.iter().map(bollard_info).collect(),
             tugs: world.tugs.iter().map(|tug| tug_info(tug, &world.vessels)).collect(),
@@ -198,7 +202,16 @@ fn places(setup: &Setup, ship: &VesselSetup) -> Vec<&'static str> {
     SidePlace::ALL.iter().filter(has_side).map(|place| place.word()).collect()
 }
 
-fn line_info(line: &MooringSetup, handling: &LineHandling) -> LineInfo {
+/// Whether a line goes from a tug to another vessel.
+fn is_towline(line: &MooringSetup, setup: &Setup, cast: &Cast) -> bool {
+    let Some(LineEnd::OnBody { body: far, .. }) = line.end else { return false };
+    let vessels = || setup.world.vessels.iter().zip(&cast.is_tug);
+    let is_tug = |body: usize| vessels().any(|(vessel, is_tug)| *is_tug && vessel.body == body);
+    let is_vessel = |body: usize| vessels().any(|(vessel, _)| vessel.body == body);
+    is_vessel(line.ship) && is_vessel(far) && (is_tug(line.ship) || is_tug(far))
+}
+
+fn line_info(line: &MooringSetup, is_towline: bool, handling: &LineHandling) -> LineInfo {
     let rope_m = line.reach_m();
     let (reach_m, reach_by) = match handling.boat_mps {
         None if handling.heaving_line_m < rope_m => (handling.heaving_line_m, "a heaving line"),
@@ -218,6 +231,7 @@ fn line_info(line: &MooringSetup, handling: &LineHandling) -> LineInfo {
                 LineEndInfo::OnBody { body, at_m: pair(at_m), above_water_m }
             }
         }),
+        is_towline,
         breaking_n,
         working_n: line.line.kind.working_load_n().unwrap_or(CABLE_WORKING_SHARE * breaking_n),
         winch_mps: match line.line.inboard_end {

@@ -13,7 +13,7 @@ use crate::request::Control;
 
 /// Version number of the protocol between server and page. A page with another version of the protocol asks the
 /// user to reload the page.
-pub const PROTOCOL: u32 = 8;
+pub const PROTOCOL: u32 = 9;
 
 /// The data from which a page is built. The server sends this message first, and again whenever the scenario, the
 /// branch of the session or the holders of the helms change.
@@ -493,6 +493,8 @@ pub struct LineInfo {
     /// The place where the line is made fast if nobody orders another. The place is `null` for a line that stays on
     /// board until it is sent to a bollard.
     pub end: Option<LineEndInfo>,
+    /// Whether the line goes between a tug and a ship.
+    pub is_towline: bool,
     pub breaking_n: f64,
     /// Tension at which the line raises an alarm: half of the breaking load (N).
     pub working_n: f64,
@@ -838,6 +840,8 @@ pub struct BerthNow {
 pub struct Lamp {
     pub light: Light,
     pub text: &'static str,
+    /// Whether the signal is that of the speed.
+    pub by_speed: bool,
 }
 
 /// How an end of a ship lies at the berth.

@@ -124,6 +124,30 @@ fn a_passing_ship_is_shown_beside_the_moored_one() {
 }
 
 #[test]
+fn a_line_between_a_tug_and_the_ship_is_a_towline_and_one_to_a_quay_is_not() {
+    let towlines = |file: &str| -> Vec<String> {
+        let (_, hello) = messages(&support::open(file, &[]));
+        let all = each(&hello, "lines").filter(|line| line["is_towline"] == true);
+        all.map(|line| line["name"].as_str().expect("a name").to_owned()).collect()
+    };
+    assert_eq!(towlines("scenarios/live/berthing.toml"), ["forward_tow", "after_tow"]);
+    // Six lines are fast at the quay from the start: once they were taken for towlines.
+    assert_eq!(towlines("scenarios/live/moored_while_a_ship_passes.toml"), [""; 0]);
+}
+
+/// The bars of the lines had a frame of all tensions as the goal, where the goal asks for none.
+#[test]
+fn a_goal_without_tensions_asks_for_none() {
+    let file = "scenarios/live/berthing.toml";
+    let tension = |overrides: &[&str]| {
+        messages(&support::open(file, overrides)).1["exercise"]["tension"].clone()
+    };
+    assert_eq!(tension(&[])["least_n"], 2e4);
+    let exercise = "exercise={ vessel = \"ship\", goal = \"all_fast\" }";
+    assert_eq!(tension(&[exercise]), Value::Null);
+}
+
+#[test]
 fn a_quay_from_the_chart_has_its_corners() {
     let file = "scenarios/live/harbour.toml";
     let text = std::fs::read_to_string(support::repository(file)).expect("the scenario");

@@ -4,6 +4,7 @@
  */
 import { Film } from "./film";
 import { figures } from "./in_picture";
+import { placed } from "./labels";
 import {
   EYES,
   EYE_LIMITS_M,
@@ -46,8 +47,6 @@ const SAVED_MS = 10_000;
 /** Distances of the free eye [m]. */
 const OFF_LIMITS: Pair = [25, 3000];
 
-/** Width and height of a label in the picture, about [px]. */
-const LABEL_PX: Pair = [90, 24];
 /** The size of the words over the picture is asked again after this time [ms]. */
 const MEASURED_EVERY_MS = 500;
 /** How often the loading of the view is looked at before it counts as failed. */
@@ -327,13 +326,6 @@ export class Pane {
   /** Right and lower edge of the words over the picture [px]. */
   private wordsTo: Pair = [0, 0];
 
-  /** The lower edge of a label [px]: a label that would lie under the words over the picture is below them. */
-  private below(x: number, y: number): number {
-    const [right, bottom] = this.wordsTo;
-    const isUnder = x - LABEL_PX[0] / 2 < right && y - LABEL_PX[1] < bottom;
-    return isUnder ? bottom + LABEL_PX[1] : y;
-  }
-
   private measureWords(): void {
     const now_ms = performance.now();
     if (now_ms - this.measured_ms < MEASURED_EVERY_MS) return;
@@ -351,9 +343,10 @@ export class Pane {
     const { hello, frame } = this.live;
     const shown = this.look.marks && this.picture && hello && frame;
     setClass(this.figures, "hidden", !shown);
-    const all = shown ? (this.picture?.labelled() ?? []) : [];
-    if (all.length > 0) this.measureWords();
     const { clientWidth, clientHeight } = this.labels;
+    const seen = shown ? (this.picture?.labelled([clientWidth, clientHeight]) ?? []) : [];
+    if (seen.length > 0) this.measureWords();
+    const all = placed(seen, this.wordsTo);
     while (this.labels.children.length < all.length) this.labels.append(h("span"));
     [...this.labels.children].forEach((each, i) => {
       const label = all[i];
@@ -362,9 +355,8 @@ export class Pane {
       if (!label) return;
       setText(span, label.text);
       span.className = label.level;
-      const [x, y] = [label.x * clientWidth, label.y * clientHeight];
-      span.style.left = `${x.toFixed(1)}px`;
-      span.style.top = `${this.below(x, y).toFixed(1)}px`;
+      span.style.left = `${label.x.toFixed(1)}px`;
+      span.style.top = `${label.y.toFixed(1)}px`;
     });
     if (shown) {
       const vessel =

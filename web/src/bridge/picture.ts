@@ -29,6 +29,7 @@ import { Headset } from "./headset";
 import { type Block, blocksOf, hides } from "./hidden";
 import { Glows } from "./glows";
 import { type Lamp, type LampColour, atAnchor, bearingFrom, isSeen, underWay } from "./lamps";
+import type { Placed } from "./labels";
 import { MOST_TREES, cut, land } from "./land";
 import { type Light, PALETTE_SUNS, density, lightOf } from "./light";
 import type { Look } from "./look";
@@ -99,7 +100,6 @@ const MARKS_NARROWER = 0.6;
 const ARROW_OVER_M = 0.7;
 /** How high the words of a measured ship stand above the water [m]. */
 const MEASURED_WORDS_UP_M = 9;
-const LEVELS: Record<Label["level"], number> = { plain: 0, caution: 1, alarm: 2 };
 /** Half the side of the square that casts shadows [m]. */
 const SHADOW_M = 170;
 
@@ -139,6 +139,8 @@ export class Picture {
   private water_m = 0;
   /** Heights of the decks of fixed bodies above datum [m]. */
   private decks: number[] = [];
+  /** Outlines of the decks of fixed bodies, in the body's frame. */
+  private decked: Pair[][][] = [];
   private chosen: PaletteName = "day";
   /** Elevation and azimuth of the sun whose light is on, in whole tenths of a degree. */
   private shining = "";
@@ -246,6 +248,9 @@ export class Picture {
     this.ropes.room(hello.lines.length + hello.anchors.length + hello.tugs.length);
     this.sea.sea(hello.sea, this.origin);
     this.decks = hello.bodies.map((_, i) => this.deckOf(hello, i));
+    this.decked = hello.bodies.map(({ fixed, outline }, i) =>
+      !fixed ? [] : outline.length > 0 ? [outline] : this.quays(hello, i),
+    );
     this.ground = new Group();
     this.built.add(this.ground);
     const concrete = paintwork(this.shared, "concrete");
@@ -260,7 +265,7 @@ export class Picture {
         const parts = new Solids();
         const deck_m = this.decks[i] ?? QUAY_M;
         if (outline.length > 0) fixedParts(outline, deck_m, cut, parts);
-        else for (const ring of this.quays(hello, i)) quay(ring, deck_m, cut, parts);
+        else for (const ring of this.decked[i] ?? []) quay(ring, deck_m, cut, parts);
         const mesh = new Mesh(geometryOf(parts), concrete);
         mesh.receiveShadow = mesh.castShadow = true;
         group.add(mesh);
@@ -298,11 +303,9 @@ export class Picture {
       plain,
       (body) => hello.bodies[body]?.fixed ?? true,
     );
-    const fixed = hello.bodies.flatMap(({ fixed, outline }, i): Pair[][] => {
+    const fixed = this.decked.flatMap((rings, i): Pair[][] => {
       const on = bodies[i];
-      if (!fixed || !on) return [];
-      const rings = outline.length > 0 ? [outline] : this.quays(hello, i);
-      return rings.map((ring) => ring.map((at) => onEarth(on, at)));
+      return on ? rings.map((ring) => ring.map((at) => onEarth(on, at))) : [];
     });
     const { meshes } = land(
       hello,
@@ -814,19 +817,13 @@ export class Picture {
     });
   }
 
-  /** The labels of the last drawing, on the canvas: shares of its width and height from the upper left corner. */
-  labelled(): { x: number; y: number; text: string; level: Label["level"] }[] {
-    const all = this.labels.flatMap(({ at, text, level }) => {
+  /** The labels of the last drawing that no ship hides, on a picture of a size in CSS pixels. */
+  labelled([width, height]: Pair): Placed[] {
+    return this.labels.flatMap(({ at, text, level }) => {
       const { x, y, z } = this.spot.set(...at).project(this.camera);
       if (z > 1 || Math.abs(x) > 1 || Math.abs(y) > 1 || this.isHidden(at)) return [];
-      return [{ x: (x + 1) / 2, y: (1 - y) / 2, text, level }];
+      return [{ x: ((x + 1) / 2) * width, y: ((1 - y) / 2) * height, text, level }];
     });
-    // Of labels that lie on each other the gravest is written.
-    const shown: typeof all = [];
-    for (const label of all.toSorted((a, b) => LEVELS[b.level] - LEVELS[a.level]))
-      if (shown.every(({ x, y }) => Math.abs(x - label.x) > 0.06 || Math.abs(y - label.y) > 0.045))
-        shown.push(label);
-    return shown;
   }
 
   /** Whether a ship stands between the eye and a place. */
@@ -856,14 +853,13 @@ export class Picture {
     radius_m: number,
   ): Triple[] {
     const end = now.bollard === null ? info.end : hello.bollards[now.bollard];
-    const quay = end && "body" in end ? hello.bodies[end.body] : undefined;
-    if (!end || !("body" in end) || !quay?.fixed) return points;
-    const on = this.bodies[end.body];
-    if (!on) return points;
+    if (!end || !("body" in end)) return points;
+    const [on, rings] = [this.bodies[end.body], this.decked[end.body] ?? []];
+    if (!on || rings.length === 0) return points;
     const toQuay = this.inverse.copy(on.matrixWorld).invert();
     const isOverQuay = (at: Triple) => {
       const { x, z } = this.spot.set(...at).applyMatrix4(toQuay);
-      return isInside(quay.outline, [-z, x]);
+      return rings.some((ring) => isInside(ring, [-z, x]));
     };
     const top_m = (this.decks[end.body] ?? QUAY_M) - this.water_m + radius_m;
     return draped(points, isOverQuay, top_m);

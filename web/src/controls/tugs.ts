@@ -280,8 +280,8 @@ export class VesselTug extends TugCard {
   }
 }
 
-/** A tug that is told to stand off is at her place within this distance [m]. */
-const AT_HER_PLACE_M = 10;
+/** A tug that is told to stand off is at her place within this distance: beside a ship that turns she stays so near [m]. */
+const AT_HER_PLACE_M = 35;
 
 function assistText({ state, force_n, away_m }: AssistNow): string {
   // Short, because the card is narrow.

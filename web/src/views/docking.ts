@@ -84,7 +84,7 @@ class End {
     setText(this.speed, fixed(Math.abs(closing_mps), 2));
     const way =
       closing_mps > STILL_MPS ? "▲ closing" : closing_mps < -STILL_MPS ? "▼ opening" : "■ still";
-    const bySpeed = end === "off" && lamp.light !== "ok" && limit_mps !== null;
+    const bySpeed = lamp.by_speed && lamp.light !== "ok" && limit_mps !== null;
     setText(this.way, bySpeed ? `${way}, limit ${fixed(limit_mps, 2)}` : way);
     setText(this.lamp, lamp.text);
     for (const name of LIGHTS) setClass(this.root, name, lamp.light === name);
@@ -101,6 +101,7 @@ class End {
 const onTheWay = ({ bearing_rad }: Way): Lamp => ({
   light: "ok",
   text: `BERTH BEARS ${heading(bearing_rad, 0)}`,
+  by_speed: false,
 });
 
 export class Docking implements View {

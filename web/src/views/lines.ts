@@ -273,9 +273,9 @@ export class Lines implements View {
       (info, i) => new Row(info, page, hello, goal?.lines.includes(i) ? goal : null),
     );
     // The ship's own lines come before the towlines.
-    const ofEnd = (isOwn: boolean) =>
-      this.rows.filter((_, i) => (hello.lines[i]?.end === null) === isOwn);
-    const inOrder = [...ofEnd(true), ...ofEnd(false)];
+    const ofKind = (isTowline: boolean) =>
+      this.rows.filter((_, i) => (hello.lines[i]?.is_towline ?? false) === isTowline);
+    const inOrder = [...ofKind(false), ...ofKind(true)];
     this.root = h(
       "div",
       { class: "lines" },
@@ -292,8 +292,7 @@ export class Lines implements View {
     frame.lines.forEach((now, i) =>
       this.rows[i]?.show(now, may[i] ?? false, frame.bodies, frame.t_s),
     );
-    // The ship's own lines: not the towlines.
-    const own = frame.lines.filter((_, i) => hello.lines[i]?.end === null);
+    const own = frame.lines.filter((_, i) => hello.lines[i]?.is_towline === false);
     const fast = own.filter(({ state }) => state === "fast").length;
     setText(
       this.count,

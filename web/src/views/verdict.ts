@@ -1,6 +1,6 @@
 /**
- * The verdict on the run up to the shown tick, and what it comes from. The words are those of the server, which are those
- * of the terminal and the report.
+ * The verdict on the run up to the shown tick, and what it comes from. The words are those of the terminal and the report;
+ * times are by the clock of the page.
  */
 import type { FindingNow, Frame, Gravity, VerdictNow } from "../protocol";
 import { button, h, setClass, setText } from "../ui/dom";

@@ -34,6 +34,7 @@ pub(super) fn lamp(end: BerthEnd, speed: Light) -> Lamp {
             Light::Caution => "CAUTION",
             Light::Alarm => "TOO FAST",
         },
+        by_speed: true,
     };
     let (light, text) = match end {
         BerthEnd::Off => return by_speed,
@@ -45,7 +46,7 @@ pub(super) fn lamp(end: BerthEnd, speed: Light) -> Lamp {
         BerthEnd::OverRated => (Light::Alarm, "FENDER LIMIT"),
         BerthEnd::Structure => (Light::Alarm, "STRUCTURE"),
     };
-    if speed > light { by_speed } else { Lamp { light, text } }
+    if speed > light { by_speed } else { Lamp { light, text, by_speed: false } }
 }
 
 /// The positions of a vessel's bow and stern relative to the berth.

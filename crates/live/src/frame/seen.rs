@@ -1,6 +1,6 @@
 //! Keeps the contacts and events of the last step for frames. The simulation itself does not keep contacts and events.
 
-use fenderline_contact::{Event, EventKind, Friction};
+use fenderline_contact::{BodyId, Event, EventKind, Friction, Vec2};
 use fenderline_sim::hydro::Force;
 use fenderline_sim::{Job, Setup, Simulation, StepRecord, WorldEvent, WorldEventKind, called};
 
@@ -21,8 +21,23 @@ pub(crate) struct Seen {
     flow: Vec<Force>,
     /// Ships that pass vessels at rest.
     passages: Passages,
-    /// Bodies of tugs that have touched the ship at whose side they are ordered to lie or to push, and of this ship.
-    alongside: Vec<[usize; 2]>,
+    /// Tugs that have touched the ship at the place where they are ordered to lie or to push.
+    alongside: Vec<Ordered>,
+}
+
+/// An order to a tug to lie at a ship's side or to push there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Ordered {
+    /// The tug and the ship.
+    bodies: [usize; 2],
+    /// The place, in the ship's frame (m).
+    at_m: Vec2,
+}
+
+impl Ordered {
+    fn is_of(&self, [one, two]: [usize; 2]) -> bool {
+        [[one, two], [two, one]].contains(&self.bodies)
+    }
 }
 
 impl Seen {
@@ -60,44 +75,59 @@ impl Seen {
         self.passages.note(simulation, info, &self.flow, &self.world_events);
     }
 
-    /// A tug at the side of a ship loses the contact and has it again many times. The first touch after the order is an
-    /// event, and the others are not.
+    /// A tug at the side of a ship loses the contact and has it again many times. The first touch at the ordered place is
+    /// an event. The others are not, until the tug has another order: then her leaving is an event.
     pub(crate) fn note_tugs(&mut self, simulation: &Simulation) {
         let vessels = simulation.setup().world.vessels.iter().zip(simulation.vessels());
-        let ordered: Vec<[usize; 2]> = vessels
+        let ordered: Vec<Ordered> = vessels
             .filter_map(|(of, vessel)| match vessel.pilots.assist.as_ref()?.order.job {
-                Job::Push(push) => Some([of.body, push.ship]),
+                Job::Push(push) => Some(Ordered { bodies: [of.body, push.ship], at_m: push.at_m }),
                 Job::Follow { .. } | Job::Pull { .. } => None,
             })
             .collect();
         self.keep_first_touches(&ordered);
     }
 
-    /// `ordered`: bodies of a tug and of the ship at whose side the tug is ordered to be.
-    fn keep_first_touches(&mut self, ordered: &[[usize; 2]]) {
-        let Seen { alongside, contact_events, .. } = self;
-        alongside.retain(|pair| ordered.contains(pair));
+    fn keep_first_touches(&mut self, ordered: &[Ordered]) {
+        let Seen { alongside, contact_events, contacts, .. } = self;
+        let touches = |of: &Ordered| contacts.iter().any(|contact| of.is_of(contact.bodies));
+        alongside.retain(|of| {
+            let stays = ordered.contains(of);
+            let ends = |event: &Event| {
+                event.kind == EventKind::ContactEnded
+                    && of.is_of(event.bodies.map(|body| body.0 as usize))
+            };
+            // The contact ended while the old order stood, and this was not an event then.
+            if !stays && !touches(of) && !contact_events.iter().any(ends) {
+                let [one, two] = of.bodies.map(|body| BodyId(body as u32));
+                let bodies = if one < two { [one, two] } else { [two, one] };
+                contact_events.push(Event { bodies, kind: EventKind::ContactEnded });
+            }
+            stays
+        });
         let mut came = Vec::new();
         contact_events.retain(|event| {
-            let [one, two] = event.bodies.map(|body| body.0 as usize);
-            let Some(&pair) = ordered.iter().find(|pair| [[one, two], [two, one]].contains(pair))
-            else {
-                return true;
-            };
+            let bodies = event.bodies.map(|body| body.0 as usize);
+            let Some(of) = ordered.iter().find(|of| of.is_of(bodies)) else { return true };
             match event.kind {
                 EventKind::ContactBegan => {
-                    came.push(pair);
-                    !alongside.contains(&pair)
+                    came.push(*of);
+                    !alongside.contains(of)
                 }
-                EventKind::ContactEnded => !alongside.contains(&pair),
+                EventKind::ContactEnded => !alongside.contains(of),
                 _ => true,
             }
         });
-        for pair in came {
-            if !alongside.contains(&pair) {
-                alongside.push(pair);
+        for of in came {
+            if !alongside.contains(&of) {
+                alongside.push(of);
             }
         }
+    }
+
+    /// Whether the tug has touched the ship at the place of her present order; `bodies`: the tug and the ship.
+    pub(crate) fn has_touched(&self, bodies: [usize; 2]) -> bool {
+        self.alongside.iter().any(|of| of.bodies == bodies)
     }
 
     pub(crate) fn passages(&self) -> &Passages {
@@ -228,7 +258,7 @@ fn world_text(event: &WorldEvent, setup: &Setup) -> String {
 
 #[cfg(test)]
 mod tests {
-    use fenderline_contact::BodyId;
+    use fenderline_contact::vec2;
 
     use super::*;
     use crate::session::Session;
@@ -265,26 +295,76 @@ mod tests {
         assert_eq!(seen(vec![], &[EventKind::ContactEnded; 4]), ["quay leaves ship"]);
     }
 
+    const AT_SHOULDER: Ordered = Ordered { bodies: [2, 4], at_m: vec2(60.0, -16.0) };
+    const AT_QUARTER: Ordered = Ordered { at_m: vec2(-60.0, -16.0), ..AT_SHOULDER };
+
+    /// What the log says of one step with an event of a tug and a ship, while orders stand and contacts last.
+    fn said(
+        seen: &mut Seen,
+        kind: Option<EventKind>,
+        ordered: &[Ordered],
+        touches: bool,
+    ) -> Vec<EventKind> {
+        let contact = ContactNow {
+            bodies: [4, 2],
+            fender: None,
+            at_m: [0.0; 2],
+            force_n: [0.0; 2],
+            slips: false,
+        };
+        seen.contacts = if touches { vec![contact] } else { vec![] };
+        let bodies = [BodyId(4), BodyId(2)];
+        seen.contact_events = kind.into_iter().map(|kind| Event { bodies, kind }).collect();
+        seen.keep_first_touches(ordered);
+        seen.contact_events.iter().map(|event| event.kind).collect()
+    }
+
+    use EventKind::{ContactBegan, ContactEnded};
+
     /// A tug that was told to stop lay at the side of a ship, and the log had a line for each touch.
     #[test]
     fn the_log_is_not_full_of_touches_of_a_tug_that_lies_alongside() {
-        let event = |kind| Event { bodies: [BodyId(4), BodyId(2)], kind };
-        let mut seen = Seen::default();
-        let mut step = |kind, ordered: &[[usize; 2]]| {
-            seen.contact_events = vec![event(kind)];
-            seen.keep_first_touches(ordered);
-            !seen.contact_events.is_empty()
-        };
-        use EventKind::{ContactBegan, ContactEnded};
-        let ordered = [[2, 4]];
-        assert!(step(ContactBegan, &ordered), "the first touch");
-        assert!(!step(ContactEnded, &ordered));
-        assert!(!step(ContactBegan, &ordered));
+        let seen = &mut Seen::default();
+        let ordered = [AT_SHOULDER];
+        assert_eq!(
+            said(seen, Some(ContactBegan), &ordered, true),
+            [ContactBegan],
+            "the first touch"
+        );
+        assert_eq!(said(seen, Some(ContactEnded), &ordered, false), []);
+        assert_eq!(said(seen, Some(ContactBegan), &ordered, true), []);
         // Another order: she leaves, and this is an event.
-        assert!(step(ContactEnded, &[]));
-        assert!(step(ContactBegan, &ordered), "the first touch after a new order");
+        assert_eq!(said(seen, None, &[], true), []);
+        assert_eq!(said(seen, Some(ContactEnded), &[], false), [ContactEnded]);
+        assert_eq!(said(seen, Some(ContactBegan), &ordered, true), [ContactBegan], "a new order");
         // Other pairs keep all their events.
-        assert!(step(ContactEnded, &[[1, 4]]));
-        assert!(step(ContactEnded, &[[1, 4]]));
+        let others = [Ordered { bodies: [1, 4], ..AT_SHOULDER }];
+        for _ in 0..2 {
+            assert_eq!(said(seen, Some(ContactEnded), &others, false).last(), Some(&ContactEnded));
+        }
+    }
+
+    /// A tug lay at a ship's side, lost the contact, and was sent away: the log said that she touched, and never that she
+    /// left.
+    #[test]
+    fn the_log_says_that_a_tug_leaves_although_she_had_lost_the_contact_before() {
+        let seen = &mut Seen::default();
+        said(seen, Some(ContactBegan), &[AT_SHOULDER], true);
+        assert_eq!(said(seen, Some(ContactEnded), &[AT_SHOULDER], false), []);
+        assert_eq!(said(seen, None, &[], false), [ContactEnded]);
+        assert_eq!(said(seen, None, &[], false), []);
+    }
+
+    /// A tug that was sent from the shoulder to the quarter left and touched again, and the log had neither.
+    #[test]
+    fn the_log_says_that_a_tug_goes_to_another_place_at_the_side() {
+        let seen = &mut Seen::default();
+        said(seen, Some(ContactBegan), &[AT_SHOULDER], true);
+        assert!(seen.has_touched([2, 4]));
+        assert_eq!(said(seen, None, &[AT_QUARTER], true), []);
+        assert!(!seen.has_touched([2, 4]), "not yet at the quarter");
+        assert_eq!(said(seen, Some(ContactEnded), &[AT_QUARTER], false), [ContactEnded]);
+        assert_eq!(said(seen, Some(ContactBegan), &[AT_QUARTER], true), [ContactBegan]);
+        assert_eq!(said(seen, Some(ContactEnded), &[AT_QUARTER], false), []);
     }
 }

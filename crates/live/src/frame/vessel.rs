@@ -94,7 +94,8 @@ fn assist_now(now: &Now, tug: usize, job: &Job) -> AssistNow {
             let off_m = (bow - world(push.ship, push.at_m)).length();
             away_m = Some(off_m);
             // A tug that lies at the side loses the contact and has it again, as ship and tug move.
-            let is_there = off_m < AT_THE_SIDE_M || between().next().is_some();
+            let stays = off_m < AT_THE_SIDE_M && now.seen.has_touched(pairs[0]);
+            let is_there = stays || between().next().is_some();
             let state = match (is_there, word) {
                 (false, _) => AssistState::ComesAlongside,
                 (true, TugWord::Stop) => AssistState::Alongside,
@@ -113,7 +114,7 @@ fn assist_now(now: &Now, tug: usize, job: &Job) -> AssistNow {
     AssistNow { order: word.word(), power, place, state, away_m, force_n: felt_n }
 }
 
-/// A tug whose bow is nearer to the place of her order is alongside (m).
+/// A tug that has touched the ship and whose bow is nearer to the place of her order is alongside (m).
 const AT_THE_SIDE_M: f64 = 1.5;
 
 /// A point within this distance along the ship of a named position at her side belongs to that position (m).

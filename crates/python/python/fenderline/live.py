@@ -68,7 +68,7 @@ __all__ = [
     "Ship",
 ]
 
-PROTOCOL = 8
+PROTOCOL = 9
 """Version of the protocol that this package speaks."""
 
 _NO_TOKEN, _FULL = 4401, 4429
