@@ -73,30 +73,11 @@ const SIZE = { width: 1600, height: 900 };
 const WIDE_PX = 1120;
 const MOST_BYTES = 49_000;
 
-/** A word of the marks, which the page writes over the picture; shares of the width and the height. */
-interface Word {
-  x: number;
-  y: number;
-  text: string;
-}
-
-const wordsOver = (page: Page): Promise<Word[]> =>
-  page.locator(".window-labels span:not([hidden])").evaluateAll((all) =>
-    all.map((each) => {
-      const { left, top } = (each as HTMLElement).style;
-      return {
-        x: Number.parseFloat(left) / 100,
-        y: Number.parseFloat(top) / 100,
-        text: each.textContent ?? "",
-      };
-    }),
-  );
-
 /** A picture of the view as JPEG, no larger than a page of the book may have. */
-async function asJpeg(page: Page, png: Buffer, words: Word[]): Promise<Buffer> {
+async function asJpeg(page: Page, png: Buffer): Promise<Buffer> {
   for (const quality of [0.85, 0.75, 0.65, 0.55, 0.45, 0.35]) {
     const text = await page.evaluate(
-      async ([png, quality, wide, words]) => {
+      async ([png, quality, wide]) => {
         const image = new Image();
         image.src = `data:image/png;base64,${png}`;
         await image.decode();
@@ -105,23 +86,9 @@ async function asJpeg(page: Page, png: Buffer, words: Word[]): Promise<Buffer> {
         const to = area.getContext("2d");
         if (!to) throw new Error("a browser has a canvas");
         to.drawImage(image, 0, 0, area.width, area.height);
-        to.font = "bold 15px sans-serif";
-        to.textAlign = "center";
-        to.textBaseline = "middle";
-        for (const { x, y, text } of words) {
-          const [at, down, half] = [
-            x * area.width,
-            y * area.height,
-            to.measureText(text).width / 2,
-          ];
-          to.fillStyle = "#ffffffdd";
-          to.fillRect(at - half - 6, down - 22, 2 * half + 12, 22);
-          to.fillStyle = "#17191b";
-          to.fillText(text, at, down - 11);
-        }
         return area.toDataURL("image/jpeg", quality).split(",")[1] ?? "";
       },
-      [png.toString("base64"), quality, WIDE_PX, words] as const,
+      [png.toString("base64"), quality, WIDE_PX] as const,
     );
     const jpeg = Buffer.from(text, "base64");
     if (jpeg.length <= MOST_BYTES) return jpeg;
@@ -165,11 +132,10 @@ test("pictures for looking at", async () => {
     await page.getByRole("img", { name: /^View / }).focus();
     for (const key of shot.keys ?? []) await page.keyboard.press(key);
     await page.waitForTimeout(1000);
-    const words = await wordsOver(page);
     const saved = page.waitForEvent("download");
     await page.getByRole("button", { name: "Picture: save this view" }).click();
     const png = readFileSync(await (await saved).path());
-    writeFileSync(join(FOLDER, `${shot.name}.jpg`), await asJpeg(page, png, words));
+    writeFileSync(join(FOLDER, `${shot.name}.jpg`), await asJpeg(page, png));
     await close();
     await served.close();
   }

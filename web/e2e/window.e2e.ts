@@ -265,6 +265,30 @@ test("marks are in the picture on request: figures, path, forces and loads", asy
   // She is on her way to the berth: its distances are in the picture.
   await expect.poll(() => figures.textContent()).toMatch(/Bow .* off, .*; stern .* off, /);
   await page.screenshot({ path: join(SHOTS, "window-marks.png") });
+  // The saved picture has the figures too: at their edge it has the colour of their ground.
+  const saved = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Picture: save this view" }).click();
+  const png = readFileSync(await (await saved).path()).toString("base64");
+  const [ground, found] = await page.evaluate(async (png) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${png}`;
+    await image.decode();
+    const words = document.querySelector(".window-figures");
+    const over = document.querySelector(".window canvas")?.getBoundingClientRect();
+    const area = new OffscreenCanvas(image.width, image.height).getContext("2d");
+    if (!words || !over || !area) throw new Error("there are figures over a canvas");
+    area.drawImage(image, 0, 0);
+    const { left, top, height } = words.getBoundingClientRect();
+    const scale = image.width / over.width;
+    const [x, y] = [(left + 4 - over.left) * scale, (top + height / 2 - over.top) * scale];
+    const numbers = getComputedStyle(words).backgroundColor.match(/[\d.]+/g) ?? [];
+    return [numbers.slice(0, 3).map(Number), [...area.getImageData(x, y, 1, 1).data.slice(0, 3)]];
+  }, png);
+  for (const i of [0, 1, 2])
+    expect(
+      Math.abs((found?.[i] ?? 999) - (ground?.[i] ?? 0)),
+      `${found} on ${ground}`,
+    ).toBeLessThan(20);
   // The eye goes up by its key, and says so.
   await canvas(page).focus();
   await page.keyboard.press("PageUp");

@@ -17,6 +17,7 @@ import {
 } from "./look";
 import type { Picture } from "./picture";
 import { isSoftware } from "./software";
+import { writeInto } from "./written";
 import { hasHeadset, whyNot } from "./xr";
 import { fileNameOf } from "../file_name";
 import { clamp } from "../geometry";
@@ -588,7 +589,10 @@ export class Pane {
     }
     const width = Math.max(1280, Math.min(1920, 2 * canvas.clientWidth));
     const height = Math.round((width * canvas.clientHeight) / Math.max(1, canvas.clientWidth));
-    const blob = await pngOf(picture.still(width, height, this.look, performance.now()));
+    const still = picture.still(width, height, this.look, performance.now());
+    if (this.look.marks)
+      writeInto(still, canvas, [this.figures, ...(this.labels.children as Iterable<HTMLElement>)]);
+    const blob = await pngOf(still);
     if (!blob) {
       this.around.say("The browser made no picture of this view.");
       return;
