@@ -282,7 +282,7 @@ test("marks are in the picture on request: figures, path, forces and loads", asy
     const scale = image.width / over.width;
     const [x, y] = [(left + 4 - over.left) * scale, (top + height / 2 - over.top) * scale];
     const numbers = getComputedStyle(words).backgroundColor.match(/[\d.]+/g) ?? [];
-    return [numbers.slice(0, 3).map(Number), [...area.getImageData(x, y, 1, 1).data.slice(0, 3)]];
+    return [numbers.slice(0, 3).map(Number), Array.from(area.getImageData(x, y, 1, 1).data)];
   }, png);
   for (const i of [0, 1, 2])
     expect(
@@ -492,6 +492,12 @@ test("the view follows the timeline, films, and finds the largest fender load", 
   await expect.poll(time).toContain("0:00:00");
   await redrawn(page);
   const first = await signature(page, canvas(page));
+  // A view in which nothing moves is not drawn for nothing.
+  const drawn = async () => Number(await canvas(page).getAttribute("data-drawn"));
+  await page.waitForTimeout(1500);
+  const resting = await drawn();
+  await page.waitForTimeout(3000);
+  expect((await drawn()) - resting).toBeLessThan(6);
   await page.getByRole("button", { name: "To the end of the branch" }).click();
   await expect.poll(time).not.toContain("0:00:00");
   await page.getByRole("button", { name: "Rewind to the start" }).click();

@@ -23,7 +23,7 @@ import { fileNameOf } from "../file_name";
 import { clamp } from "../geometry";
 import type { Live } from "../live";
 import type { PaletteName } from "../palette";
-import type { Hello, Pair } from "../protocol";
+import type { Frame, Hello, Pair } from "../protocol";
 import { button, h, setAttribute, setClass, setText } from "../ui/dom";
 import { fixed, heading, spoken, toDegrees, wrapped } from "../units";
 
@@ -50,6 +50,9 @@ const OFF_LIMITS: Pair = [25, 3000];
 
 /** The size of the words over the picture is asked again after this time [ms]. */
 const MEASURED_EVERY_MS = 500;
+/** A view in which nothing has changed for so many drawings rests: it is drawn anew after this time only [ms]. */
+const DRAWINGS_TO_REST = 4;
+const RESTS_MS = 1000;
 /** How often the loading of the view is looked at before it counts as failed. */
 const LOADS_IN = 300;
 
@@ -380,6 +383,10 @@ export class Pane {
       this.drawn_ms = 0;
       return;
     }
+    if (this.rests(now_ms)) {
+      this.drawn_ms = 0;
+      return;
+    }
     // On a machine that is slow even with a coarse picture the instruments have every second turn for themselves.
     this.turns += 1;
     if (this.detail <= LEAST_DETAIL && this.interval_ms > SLOWEST_MS && this.turns % 2 === 0)
@@ -413,6 +420,32 @@ export class Pane {
       canvas.dataset.interval = this.interval_ms.toFixed(1);
       canvas.dataset.shown = JSON.stringify(picture.shown());
     }
+  }
+
+  private seen = "";
+  private seenFrame: Frame | null = null;
+  private unchanged = 0;
+  private woke_ms = 0;
+
+  /**
+   * Whether another drawing would be as the last: the run is paused, and neither the eye nor the size has changed. A debriefing
+   * would else keep a processor or a graphics card busy for nothing.
+   */
+  private rests(now_ms: number): boolean {
+    const { canvas, live } = this;
+    const size = [canvas.clientWidth, canvas.clientHeight, window.devicePixelRatio, this.detail];
+    const seen = JSON.stringify([this.look, this.palette, size]);
+    const same =
+      seen === this.seen &&
+      live.frame === this.seenFrame &&
+      live.hello === this.built &&
+      live.share(now_ms) >= 1;
+    [this.seen, this.seenFrame] = [seen, live.frame];
+    this.unchanged = same ? this.unchanged + 1 : 0;
+    const rests =
+      this.unchanged > DRAWINGS_TO_REST && now_ms - this.woke_ms < RESTS_MS && !this.film.runs;
+    if (!rests) this.woke_ms = now_ms;
+    return rests;
   }
 
   /** Builds the picture anew where the scenario has changed. */
