@@ -282,7 +282,7 @@ test("the exercise ends by itself, and its report opens from the page", async ()
   for (const words of [
     `score ${score?.[1]} of 100`,
     "Goal reached at",
-    "6 lines fast, 6 of 6 with the required tension",
+    "6 lines fast, 6 of 6 with the required tension, winch on hold",
     "Speed towards the berth",
     "The exercise has ended: its goal is reached",
     "head: send",

@@ -35,21 +35,37 @@ function lead(name: string, fairlead_m: Pair): Lead | null {
   return { to: toBow ? 1 : -1, along: END_ALONG };
 }
 
+/** An offered bollard stays while the ship moves, until the line leads only this share of what it should. */
+const STAYS = 0.5;
+/** The bollard of a breast line stays until another is nearer by this [m]. */
+const NEARER_M = 10;
+
 /**
- * The nearest bollard within reach to which the line leads as its name says; the nearest of all, where there is none. `places` come
- * the nearest first.
+ * The nearest bollard within reach to which the line leads as its name says. Where there is none, the bollard within reach that is
+ * farthest in this direction, else the nearest of all. `before`: the bollard that was offered before; it stays as long as the line still
+ * leads there. `places` come the nearest first.
  */
 export function firstOffered(
   name: string,
   fairlead_m: Pair,
   places: Place[],
   reaches: (m: number) => boolean,
+  before: string | null = null,
 ): Place | undefined {
+  const inReach = places.filter(({ m }) => reaches(m));
+  const kept = inReach.find((place) => place.name === before);
   const leads = lead(name, fairlead_m);
-  if (leads === null) return places[0];
-  const fits = ({ from_fairlead: [ahead, starboard], m }: Place) => {
-    const along = leads.to * ahead;
-    return reaches(m) && along > 0 && along >= leads.along * Math.abs(starboard);
-  };
-  return places.find(fits) ?? places[0];
+  if (leads === null) {
+    const nearest = places[0];
+    return kept && nearest && kept.m < nearest.m + NEARER_M ? kept : nearest;
+  }
+  const along = ({ from_fairlead: [ahead] }: Place) => leads.to * ahead;
+  const fits = (place: Place, share: number) =>
+    along(place) > 0 && along(place) >= share * leads.along * Math.abs(place.from_fairlead[1]);
+  if (kept && fits(kept, STAYS)) return kept;
+  const farthest = inReach.toSorted((a, b) => along(b) - along(a))[0];
+  return (
+    inReach.find((place) => fits(place, 1)) ??
+    (farthest && along(farthest) > 0 ? farthest : places[0])
+  );
 }

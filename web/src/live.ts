@@ -13,6 +13,8 @@ import type {
 /** A running session without frames for this long is reported as a fault. */
 export const STALE_MS = 1500;
 const FORGET_AFTER = 200;
+/** The longest time between two frames over which the page moves the ships: half a second's steps at a quarter of the pace [ms]. */
+const SELDOM_MS = 2000;
 
 export class Latency {
   private recent: number[] = [];
@@ -70,7 +72,7 @@ export class Live {
         : null;
     if (this.previous) {
       const since = now_ms - this.received_ms;
-      this.interval_ms += 0.2 * (Math.min(250, Math.max(16, since)) - this.interval_ms);
+      this.interval_ms += 0.2 * (Math.min(SELDOM_MS, Math.max(16, since)) - this.interval_ms);
     }
     this.frame = frame;
     this.moving ??= fastest(this.hello, frame);
@@ -105,6 +107,15 @@ export class Live {
     if (!previous) return frame.bodies;
     const share = this.share(now_ms);
     return frame.bodies.map((to, i) => to && between(previous.bodies[i] ?? to, to, share));
+  }
+
+  /** The ships that pass, at the position of this drawing. */
+  traffic(now_ms: number): (BodyNow | null)[] {
+    const { frame, previous } = this;
+    if (!frame) return [];
+    if (!previous) return frame.traffic;
+    const share = this.share(now_ms);
+    return frame.traffic.map((to, i) => to && between(previous.traffic[i] ?? to, to, share));
   }
 
   /** Time without frames while the session runs [ms]; `null` if there is no fault. */

@@ -745,6 +745,8 @@ export type AssistNow = {
    * alongside, of her centre of gravity while she is to stand off. `null` while she is to pull.
    */
   away_m: number | null;
+  /** While the tug is to pull and her line is slack: how much longer the line is than the way between its ends (m). */
+  slack_m: number | null;
   /**
    * Force of the tug on the ship: the push of the tug, or the tension of her line (N). The thrust of the tug is
    * larger while part of the thrust moves the tug.

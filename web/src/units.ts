@@ -52,6 +52,14 @@ export function sided(rad: number, decimals = 0): string {
   return `${rad < 0 ? "P" : "S"} ${text}°`;
 }
 
+/** A direction from the bow in words, where `S` could be read as south. */
+export function relative(rad: number): string {
+  const text = Math.abs(rad * DEG).toFixed(0);
+  if (text === "0") return "ahead";
+  if (text === "180") return "astern";
+  return `${rad < 0 ? "port" : "stb"} ${text}°`;
+}
+
 /** Rate of turn, degrees a minute. */
 export const rateOfTurn = (radPerS: number): number => radPerS * DEG * 60;
 

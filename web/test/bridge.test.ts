@@ -19,7 +19,7 @@ import { catenary, parameterByLength } from "../src/bridge/catenary";
 import { seatOn, vertical } from "../src/bridge/eyes";
 import { Fenders, faceOff, shapeOf } from "../src/bridge/fenders";
 import { breadthOf } from "../src/bridge/hull";
-import { atAnchor, bearingFrom, isSeen, underWay } from "../src/bridge/lamps";
+import { atAnchor, bearingFrom, isSeen, lampsOf, mastheads, underWay } from "../src/bridge/lamps";
 import { cut, width } from "../src/bridge/land";
 import { density, lightOf } from "../src/bridge/light";
 import { type Look, lookOf } from "../src/bridge/look";
@@ -440,10 +440,44 @@ describe("navigation lights", () => {
     ] as const) {
       const sees = (degrees: number) => isSeen(lamp?.arc ?? null, side * degrees * DEG);
       expect([0, 1, 45, 90, 112.5].every(sees)).toBe(true);
-      expect([112.6, 135, 180, -1, -90].some(sees)).toBe(false);
+      expect([112.6, 135, 180, -3, -90].some(sees)).toBe(false);
     }
     expect(green?.at[0]).toBeGreaterThan(0);
     expect(red?.at[0]).toBeLessThan(0);
+  });
+
+  // The lights stand at the ends of the wings, and an eye right ahead saw neither.
+  test("a ship right ahead shows both sidelights", () => {
+    for (const ahead_m of [800, 1852, 5000]) {
+      const colours = underWay(ship, false)
+        .filter(({ at, arc }) => isSeen(arc, bearingFrom(at, aboard([ahead_m, 0], 15))))
+        .map(({ colour }) => colour);
+      expect(colours.toSorted()).toEqual(["green", "red", "white", "white"]);
+    }
+  });
+
+  // A ferry showed her two lights above each other, as a tug with a tow does.
+  test("masthead lights are far apart, wherever the bridge is, and the after light is higher", () => {
+    for (const kind of ["bulk", "tanker", "container", "ro-ro", "passenger"] as const)
+      for (const length_m of [60, 120, 200, 300, 400]) {
+        const of = { ...VESSEL, kind, length_m, beam_m: length_m / 6.5, draught_m: length_m / 20 };
+        const half = of.beam_m / 2;
+        const [aft, fore] = [-length_m / 2, length_m / 2];
+        const outline: Pair[] = [
+          [aft, -half],
+          [fore - half, -half],
+          [fore, 0],
+          [fore - half, half],
+          [aft, half],
+        ];
+        const lights = mastheads(arrangementOf(of, outline));
+        const name = `${kind} of ${length_m} m`;
+        expect(lights.fore[0] - lights.aft[0], name).toBeGreaterThan(
+          0.59 * Math.min(100, length_m / 2),
+        );
+        expect(lights.aft[1] - lights.fore[1], name).toBeGreaterThanOrEqual(4.5 - 1e-9);
+        expect(lights.aft[0], name).toBeGreaterThan(aft);
+      }
   });
 
   test("a ship of 180 m shows two masthead lights ahead and one light astern", () => {
@@ -473,6 +507,12 @@ describe("navigation lights", () => {
     for (const bearing of [0, 90, 180, 270])
       expect(seen(bearing, lamps)).toEqual(["white", "white"]);
     expect(lamps[0]?.at[1] ?? 0).toBeGreaterThan(lamps[1]?.at[1] ?? 0);
+  });
+
+  test("aground she shows two red lights too, and made fast none", () => {
+    const { aground, made_fast } = lampsOf(ship);
+    expect(seen(90, aground).toSorted()).toEqual(["red", "red", "white", "white"]);
+    expect(made_fast).toEqual([]);
   });
 
   test("a sector that passes north is seen on both sides of north", () => {

@@ -9,12 +9,18 @@ const BOLLARDS = Array.from({ length: 13 }, (_, i) => ({
   at: [20, -150 + 25 * i] as Pair,
 }));
 
-function offered(name: string, fairlead: Pair, reach_m = 200): string | undefined {
+function offered(
+  name: string,
+  fairlead: Pair,
+  reach_m = 200,
+  ship = SHIP,
+  before: string | null = null,
+): string | undefined {
   const places = BOLLARDS.map(({ name, at }) => {
-    const from_fairlead = fromFairlead(SHIP, fairlead, at);
+    const from_fairlead = fromFairlead(ship, fairlead, at);
     return { name, from_fairlead, m: Math.hypot(...from_fairlead) };
   }).toSorted((a, b) => a.m - b.m);
-  return firstOffered(name, fairlead, places, (m) => m <= reach_m)?.name;
+  return firstOffered(name, fairlead, places, (m) => m <= reach_m, before)?.name;
 }
 
 test("head and stern lines are offered a bollard beyond their fairlead", () => {
@@ -35,4 +41,25 @@ test("a breast line that is called by an end of the ship is offered the nearest 
 
 test("without a bollard within reach in this direction the nearest is offered", () => {
   expect(offered("aft_spring", [-75, -15], 8)).toBe("b4");
+});
+
+// A pilot's ship sprang off her fenders, and the offered bollards changed while he looked: the spring's became the breast line's.
+test("an offer stays while the ship moves a little, and a spring never gets the breast line's bollard", () => {
+  const off = (m: number): BodyNow => [-m, 0, Math.PI / 2, 0, 0, 0];
+  for (const [name, fairlead] of [
+    ["forward_spring", [75, -15]],
+    ["aft_spring", [-75, -15]],
+    ["head", [95, -15]],
+    ["fore_breast", [75, -15]],
+  ] as [string, Pair][]) {
+    const first = offered(name, fairlead);
+    for (const m of [2, 5, 8, 5, 2])
+      expect(offered(name, fairlead, 200, off(m), first ?? null), `${name}, ${m} m off`).toBe(
+        first,
+      );
+  }
+  // 13 m off, with a heaving line of 35 m.
+  expect(offered("forward_spring", [75, -15], 35, off(13))).not.toBe(
+    offered("fore_breast", [75, -15], 35, off(13)),
+  );
 });

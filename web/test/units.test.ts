@@ -12,6 +12,7 @@ import {
   tonnes,
   spokenFinding,
   wrapped,
+  relative,
 } from "../src/units";
 
 const RAD = Math.PI / 180;
@@ -72,4 +73,15 @@ test("a sentence of the verdict has the times of the page's clock, and no names 
   expect(spokenFinding("ship was aground from 61.5 s for 12.0 s")).toBe(
     "ship was aground from 0:01:01 for 12.0 s",
   );
+});
+
+test("a direction from the bow is never read as south", () => {
+  const DEG = Math.PI / 180;
+  expect([0, 90, -90, 180, -179.8].map((degrees) => relative(degrees * DEG))).toEqual([
+    "ahead",
+    "stb 90°",
+    "port 90°",
+    "astern",
+    "astern",
+  ]);
 });

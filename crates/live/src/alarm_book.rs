@@ -47,10 +47,15 @@ struct Entry {
     alarm: Alarm,
     /// Time at which the alarm began, or became more urgent (s).
     since_s: f64,
+    /// The last time at which the cause of the alarm was active (s).
+    last_s: f64,
     /// True while the cause of the alarm is active.
     active: bool,
     acknowledged: bool,
 }
+
+/// A cause that comes again after more than this time is another event: a second touch, not the first that goes on (s).
+const APART_S: f64 = 10.0;
 
 /// All alarms that are active or that nobody acknowledged, in the order in which they began.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -66,7 +71,8 @@ impl AlarmBook {
             match self.0.iter_mut().find(|entry| entry.alarm.key == alarm.key) {
                 Some(entry) => entry.renew(alarm, t_s),
                 None => {
-                    self.0.push(Entry { alarm, since_s: t_s, active: true, acknowledged: false })
+                    let (active, acknowledged) = (true, false);
+                    self.0.push(Entry { alarm, since_s: t_s, last_s: t_s, active, acknowledged })
                 }
             }
         }
@@ -161,8 +167,10 @@ impl Entry {
     /// acknowledged keeps its greatest level.
     fn renew(&mut self, alarm: Alarm, t_s: f64) {
         self.active = true;
-        if alarm.level > self.alarm.level {
-            // If the level rises, the alarm has to be acknowledged again.
+        let is_another = t_s - self.last_s > APART_S && alarm.level >= self.alarm.level;
+        self.last_s = t_s;
+        if alarm.level > self.alarm.level || is_another {
+            // If the level rises, or the cause comes a second time, the alarm has to be acknowledged again.
             (self.acknowledged, self.since_s) = (false, t_s);
         }
         if self.acknowledged || alarm.level >= self.alarm.level {
@@ -257,5 +265,22 @@ mod tests {
         assert!(!book.messages()[0].acknowledged);
         let own = Role::Tugmaster { tug: "ship".into() };
         assert!(acknowledge(&mut book, &own).is_ok());
+    }
+
+    /// A ship landed twice, four minutes apart, and the list had the speed of the second landing at the time of the first.
+    #[test]
+    fn a_second_landing_is_another_alarm_with_a_time_of_its_own() {
+        let mut book = AlarmBook::default();
+        let mut at = |t_s: f64, text: Option<&str>| {
+            book.update(text.map(|text| touch(Level::Alarm, text)).into_iter().collect(), t_s);
+            let now = book.messages();
+            (now[0].since_s, now[0].text.clone())
+        };
+        assert_eq!(at(303.0, Some("0.16 m/s")), (303.0, "0.16 m/s".to_owned()));
+        // The contact is lost and comes again: still the same landing.
+        at(304.0, None);
+        assert_eq!(at(308.0, Some("0.14 m/s")), (303.0, "0.14 m/s".to_owned()));
+        at(309.0, None);
+        assert_eq!(at(576.0, Some("0.18 m/s")), (576.0, "0.18 m/s".to_owned()));
     }
 }

@@ -792,6 +792,8 @@ pub struct AssistNow {
     /// Distance of the tug from the place of her order (m): of the tip of her bow while she is to push or to lie
     /// alongside, of her centre of gravity while she is to stand off. `null` while she is to pull.
     pub away_m: Option<f64>,
+    /// While the tug is to pull and her line is slack: how much longer the line is than the way between its ends (m).
+    pub slack_m: Option<f64>,
     /// Force of the tug on the ship: the push of the tug, or the tension of her line (N). The thrust of the tug is
     /// larger while part of the thrust moves the tug.
     pub force_n: f64,

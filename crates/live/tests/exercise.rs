@@ -4,6 +4,7 @@ use crate::support;
 
 use fenderline_live::message::{PlaceInfo, RunState, text};
 use fenderline_live::{Repeat, Session};
+use fenderline_sim::OrderName;
 use fenderline_sim::exercise::State;
 
 /// The ship is at rest 0.3 m off the fenders. The goal is reached when she has been alongside for two seconds.
@@ -85,4 +86,30 @@ fn the_place_of_an_anchor_is_told_so_that_pages_draw_it() {
     assert_eq!(alongside().exercise_info().expect("an exercise").place, None);
     let frame = text(&session.frame(0, RunState::default()));
     assert!(frame.contains("\"now\":\"no anchor down\""), "{frame}");
+}
+
+/// The goal asks for tight lines with the winches on hold, and was reached while a winch heaved.
+#[test]
+fn a_line_whose_winch_heaves_does_not_count_for_a_goal_with_tensions() {
+    let exercise = "exercise={ vessel = \"ship\", goal = \"all_fast\", least_tension = \"1 kN\", \
+                    rest_speed = \"5 m/s\", hold = 2 }";
+    let mut session = support::open(
+        "scenarios/live/moored_while_a_ship_passes.toml",
+        &["line.head.winch=true", exercise],
+    );
+    let now = |session: &Session| {
+        let frame = session.frame(0, RunState::default());
+        let conditions = frame.exercise.expect("an exercise").conditions;
+        let of_lines = conditions.iter().find(|of| of.now.contains("lines fast"));
+        of_lines.expect("a condition of lines").now.clone()
+    };
+    support::go(&mut session, 5);
+    let before = now(&session);
+    let heave = support::order(OrderName::Heave, "head").number("rate", 0.05);
+    support::command(&mut session, heave.into());
+    support::go(&mut session, 5);
+    assert_ne!(now(&session), before);
+    support::command(&mut session, support::order(OrderName::Hold, "head").into());
+    support::go(&mut session, 5);
+    assert_eq!(now(&session), before);
 }

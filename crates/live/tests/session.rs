@@ -416,6 +416,34 @@ fn two_ships_and_two_tugs() -> Session {
     Session::open(source).expect("a set-up")
 }
 
+/// A pilot ordered a pull, and for a minute saw only that the tug takes up slack.
+#[test]
+fn a_tug_that_is_to_pull_says_how_much_slack_her_line_has() {
+    let mut session = support::open("scenarios/live/berthing.toml", &[]);
+    let tug = |session: &Session| {
+        let index = session.cast().vessels.iter().position(|name| name == "after_tug");
+        let frame = session.frame(0, fenderline_live::message::RunState::default());
+        frame.vessels[index.expect("a tug")].assist.expect("her pilot works")
+    };
+    let pull = TugWords {
+        word: TugWord::Pull,
+        power: 0.25,
+        lead: Lead::default(),
+        place: SidePlace::PortQuarter,
+    };
+    command(&mut session, Action::tug("after_tug", pull));
+    let mut slack_m = Vec::new();
+    for _ in 0..20 {
+        go(&mut session, 100);
+        let assist = tug(&session);
+        assert_eq!(assist.slack_m.is_some(), assist.force_n <= 1e3, "{assist:?}");
+        slack_m.extend(assist.slack_m);
+    }
+    let [first, last] = [slack_m[0], slack_m[slack_m.len() - 1]];
+    assert!(first > 1.0 && last < 0.5 * first, "{slack_m:?}");
+    assert!(tug(&session).force_n > 1e4, "she pulls at the end: {:?}", tug(&session));
+}
+
 #[test]
 fn a_tug_that_is_a_vessel_assists_the_ship_on_her_line() {
     let mut session = two_ships_and_two_tugs();
@@ -441,6 +469,7 @@ fn a_tug_that_is_a_vessel_assists_the_ship_on_her_line() {
     let assist = frame.vessels[after].assist.expect("her pilot works");
     assert_eq!((assist.order, assist.place), ("push", Some("starboard midships")), "{assist:?}");
     assert!(assist.force_n > 1e5, "{assist:?}");
+    assert_eq!(assist.slack_m, None);
     // The velocity is westward, away from the tug.
     let body = session.simulation().setup().world.vessels[coaster].body;
     assert!(session.simulation().states()[body].velocity_mps.y < -0.05);

@@ -237,8 +237,13 @@ impl Engine {
             self.notify_all("The recorded part has ended: resume to go on from its end.");
         }
         if was_open && !was_rewound && !self.exercise_is_open() {
-            self.paused = true;
-            self.notify_all("The exercise has ended: resume to go on without marks.");
+            // Without an instructor nobody could resume, and the tugs would push for ever.
+            let instructed = self.clients.values().any(|client| client.role == Role::Instructor);
+            self.paused = self.paused || instructed;
+            self.notify_all(match instructed {
+                true => "The exercise has ended: the instructor resumes to go on without marks.",
+                false => "The exercise has ended, and the run goes on without marks.",
+            });
         }
         self.record();
         if self.paused || self.published.elapsed() >= BETWEEN_FRAMES {

@@ -1,6 +1,11 @@
-/** Which lights a vessel shows and from where each is seen (COLREG rules 21 to 24, from memory), and lights of marks and quays. */
+/**
+ * Which lights a vessel shows and from where each is seen (COLREG rules 21 to 24 and 30, from memory; Annex I, 9: how far sidelights
+ * are seen across the bow).
+ */
 import type { Arrangement } from "./arrangement";
 import { type Triple, aboard } from "./axes";
+import type { Conduct } from "./conduct";
+import type { Pair } from "../protocol";
 import { wrapped } from "../units";
 
 const DEG = Math.PI / 180;
@@ -28,16 +33,50 @@ export function isSeen(arc: Arc | null, bearing_rad: number): boolean {
   return at <= whole + 1e-9 || turn - at < 1e-9;
 }
 
+/**
+ * A sidelight is seen as far across the bow. The lights stand at the ends of the wings: without this, an eye right ahead would see
+ * neither. Annex I, 9 wants one to three degrees.
+ */
+const ACROSS_RAD = 2 * DEG;
 /** Rule 21: masthead light 225°, sidelights 112.5° each, stern light and towing light 135°. */
 export const ARCS = {
   masthead: [-112.5 * DEG, 112.5 * DEG],
-  port: [-112.5 * DEG, 0],
-  starboard: [0, 112.5 * DEG],
+  port: [-112.5 * DEG, ACROSS_RAD],
+  starboard: [-ACROSS_RAD, 112.5 * DEG],
   stern: [112.5 * DEG, -112.5 * DEG],
 } as const satisfies Record<string, Arc>;
 
 /** From this length on a second masthead light abaft the first is a duty [m]. */
 const SECOND_MASTHEAD_M = 50;
+/** The after masthead light is so much higher than the forward one [m]. */
+const HIGHER_M = 4.5;
+/** Two red lights stand so far apart [m]. */
+const APART_M = 2;
+
+/** A light on the centreline: ahead of the body's origin, and above the water [m]. */
+type OnMast = Pair;
+
+/**
+ * The two masthead lights of a long ship, the forward one first; `post`: whether the after light stands on a post of its own. Annex I
+ * wants them half a length apart, or 100 m: where the bridge is so far forward that its mast is near the foremast, it has the
+ * forward light, and a post abaft has the other.
+ */
+export function mastheads(ship: Arrangement): { fore: OnMast; aft: OnMast; post: boolean } {
+  const { hull, bridge, mast_m, length_m } = ship;
+  const onBridge = (bridge.fore_m + bridge.aft_m) / 2;
+  const onForemast = hull.aft_m + 0.93 * length_m;
+  const apart_m = Math.min(100, length_m / 2);
+  if (onForemast - onBridge >= 0.6 * apart_m) {
+    const tall_m = hull.deck_m(onForemast) + Math.max(6, 0.055 * length_m);
+    const fore_m = Math.min(tall_m, mast_m - HIGHER_M);
+    return { fore: [onForemast + 0.35, fore_m], aft: [onBridge + 0.4, mast_m], post: false };
+  }
+  const abaft = Math.max(hull.aft_m + 2, onBridge - apart_m);
+  return { fore: [onBridge + 0.4, mast_m], aft: [abaft, mast_m + HIGHER_M], post: true };
+}
+
+/** Whether a ship has two masthead lights. */
+export const isLong = ({ length_m }: Arrangement): boolean => length_m >= SECOND_MASTHEAD_M;
 
 /** Lights of a power-driven vessel under way; `tows`: she has a line to a ship. */
 export function underWay(ship: Arrangement, tows: boolean): Lamp[] {
@@ -54,17 +93,10 @@ export function underWay(ship: Arrangement, tows: boolean): Lamp[] {
       arc: ARCS.stern,
     },
   ];
-  if (length_m >= SECOND_MASTHEAD_M) {
-    const fore = hull.aft_m + 0.93 * length_m;
-    const tall = hull.deck_m(fore) + Math.max(6, 0.055 * length_m);
-    lamps.push(
-      {
-        at: aboard([fore + 0.35, 0], Math.min(tall, mast_m - 4.5)),
-        colour: "white",
-        arc: ARCS.masthead,
-      },
-      { at: aboard([aft + 0.4, 0], mast_m), colour: "white", arc: ARCS.masthead },
-    );
+  if (isLong(ship)) {
+    const { fore, aft: after } = mastheads(ship);
+    for (const [at, up] of [fore, after])
+      lamps.push({ at: aboard([at, 0], up), colour: "white", arc: ARCS.masthead });
   } else {
     const at = ship.kind === "tug" ? aft - 0.018 * length_m + 0.2 : aft;
     lamps.push({ at: aboard([at, 0], mast_m - 0.3), colour: "white", arc: ARCS.masthead });
@@ -91,6 +123,23 @@ export function atAnchor({ hull, length_m, mast_m }: Arrangement): Lamp[] {
     { at: aboard([hull.aft_m + 1, 0], Math.max(3, high - 4.5)), colour: "white", arc: null },
   ];
 }
+
+/** Rule 30: aground she shows the lights of a ship at anchor and two red lights, one above the other. */
+function aground(ship: Arrangement): Lamp[] {
+  const { bridge, mast_m } = ship;
+  const at = (bridge.fore_m + bridge.aft_m) / 2;
+  const red = (up_m: number): Lamp => ({ at: aboard([at, 0], up_m), colour: "red", arc: null });
+  return [...atAnchor(ship), red(mast_m), red(mast_m - APART_M)];
+}
+
+/** The lights for all that she may do. A ship that is made fast to a quay shows none. */
+export const lampsOf = (ship: Arrangement): Record<Conduct, Lamp[]> => ({
+  under_way: underWay(ship, false),
+  tows: underWay(ship, true),
+  at_anchor: atAnchor(ship),
+  aground: aground(ship),
+  made_fast: [],
+});
 
 /** Bearing of a place from a lamp, from the ship's bow [rad]; both in the axes of the ship. */
 export const bearingFrom = (lamp: Triple, eye: Triple): number =>

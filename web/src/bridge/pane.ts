@@ -21,6 +21,7 @@ import { writeInto } from "./written";
 import { hasHeadset, whyNot } from "./xr";
 import { fileNameOf } from "../file_name";
 import { clamp } from "../geometry";
+import { Motion } from "../instruments/motion";
 import type { Live } from "../live";
 import type { PaletteName } from "../palette";
 import type { Frame, Hello, Pair } from "../protocol";
@@ -43,6 +44,12 @@ const REMEMBERED = 40;
 /** Time between two changes of the detail [ms]. */
 const SETTLES_MS = 2500;
 const LEAST_DETAIL = 0.5;
+const DETAIL_STEP = 0.75;
+/** Quicker drawing than this, for so long, makes the picture finer again [ms]. */
+const QUICK_MS = 22;
+const REFINES_MS = 10_000;
+/** A longer time between two drawings is a pause [ms]. */
+const PAUSE_MS = 1000;
 /** A browser has fetched a saved picture by then [ms]. */
 const SAVED_MS = 10_000;
 /** Distances of the free eye [m]. */
@@ -76,6 +83,7 @@ export class Pane {
   private readonly figures = h("div", { class: "window-figures hidden", "aria-live": "off" });
   private readonly words = h("div", { class: "window-words" }, this.caption, this.figures);
   private readonly labels = h("div", { class: "window-labels", "aria-hidden": "true" });
+  private readonly motion = new Motion("motion");
   private readonly film = new Film();
   private readonly message = h("p", { class: "window-message hidden", role: "status" });
   private readonly marksButton = button("Marks", () => this.toggleMarks(), {
@@ -117,6 +125,9 @@ export class Pane {
   /** The look that each eye was left with. */
   private readonly left = new Map<Eye, Pick<Look, "turn_rad" | "raise_rad" | "view_rad">>();
   private detail = 1;
+  /** The picture was made finer last, and when it may be made finer again [ms]. */
+  private refined = false;
+  private refines_ms = REFINES_MS;
   private interval_ms = 16;
   private drawn_ms = 0;
   private turns = 0;
@@ -132,6 +143,11 @@ export class Pane {
   ) {
     const asked = lookOf(search);
     if (asked) Object.assign(this.look, asked);
+    // One of several windows of a panorama keeps the direction and the angle that its address gives.
+    if (asked && asked.panorama_rad !== null) {
+      const { turn_rad, panorama_rad } = asked;
+      this.lookAsked = { turn_rad, panorama_rad };
+    }
     this.asked = asked === null ? null : asked.panorama_rad === null ? "view" : "alone";
     this.eyes = EYES.map((eye, i) => [
       eye,
@@ -143,10 +159,8 @@ export class Pane {
     this.root = h(
       "section",
       { class: "window", "aria-label": "View out of the window" },
-      this.canvas,
-      this.labels,
-      this.words,
-      this.message,
+      this.motion.root,
+      h("div", { class: "window-picture" }, this.canvas, this.labels, this.words, this.message),
       h(
         "div",
         { class: "window-tools", role: "toolbar", "aria-label": "View" },
@@ -210,6 +224,11 @@ export class Pane {
     setClass(this.message, "hidden", text === "");
   }
 
+  /** Shows the motion of the frame that has come. */
+  tick(frame: Frame): void {
+    this.motion.tick(frame, this.live);
+  }
+
   setPalette(name: PaletteName): void {
     this.palette = name;
     this.picture?.palette(name);
@@ -253,8 +272,16 @@ export class Pane {
     const { vessels = [], tugs = [] } = this.live.hello ?? {};
     const all = vessels.flatMap(({ is_tug }, i) => (is_tug ? [i] : []));
     all.push(...tugs.map((_, i) => vessels.length + i));
-    const own = this.ownVector();
+    const own = this.ownTug();
     return own === null ? all : [own, ...all.filter((each) => each !== own)];
+  }
+
+  /** The tugmaster's own tug, as the number of a look. */
+  private ownTug(): number | null {
+    const { role, vessels } = this.live.hello ?? {};
+    if (role?.name !== "tugmaster") return null;
+    const conned = this.live.conned();
+    return vessels?.[conned]?.is_tug ? conned : this.ownVector();
   }
 
   /** The own vector tug of a tugmaster, as the number of a look. */
@@ -305,7 +332,9 @@ export class Pane {
         ? ""
         : Math.abs(side) < 0.5 * DEG
           ? " (ahead)"
-          : ` (${side < 0 ? "P" : "S"} ${fixed(Math.abs(toDegrees(side)), 0)}°)`;
+          : Math.abs(side) > 179.5 * DEG
+            ? " (astern)"
+            : ` (${side < 0 ? "P" : "S"} ${fixed(Math.abs(toDegrees(side)), 0)}°)`;
     setText(
       this.caption,
       `${words.replace(/^./, (c) => c.toUpperCase())}${whose ? `, ${whose}` : ""}: ${heading(bearing_rad, 0)}${relative}, ${elevation_rad < 0 ? "down" : "up"} ${fixed(Math.abs(toDegrees(elevation_rad)), 0)}°, view ${fixed(toDegrees(view_rad), 0)}°${this.detail < 1 ? "; coarse, because this machine draws slowly" : ""}${this.lift()}`,
@@ -363,10 +392,8 @@ export class Pane {
       span.style.top = `${label.y.toFixed(1)}px`;
     });
     if (shown) {
-      const vessel =
-        this.look.eye === "tug" && hello.vessels[this.look.vessel]
-          ? this.look.vessel
-          : this.live.ship();
+      const { vessel: ofEye } = this.look;
+      const vessel = hello.vessels[ofEye] ? ofEye : this.live.ship();
       setText(this.figures, figures(frame, hello, vessel, this.live.ship()).join("\n"));
     }
   }
@@ -391,12 +418,13 @@ export class Pane {
     this.turns += 1;
     if (this.detail <= LEAST_DETAIL && this.interval_ms > SLOWEST_MS && this.turns % 2 === 0)
       return;
-    if (this.drawn_ms > 0) {
-      const since = Math.min(500, now_ms - this.drawn_ms);
-      this.interval_ms += 0.1 * (since - this.interval_ms);
-    }
+    const since_ms = now_ms - this.drawn_ms;
+    // After a pause, as of a page behind another, the time since the last drawing says nothing of the machine.
+    if (this.drawn_ms > 0 && since_ms < PAUSE_MS)
+      this.interval_ms += 0.1 * (since_ms - this.interval_ms);
+    else this.settled_ms = now_ms;
     this.drawn_ms = now_ms;
-    this.coarsen(now_ms);
+    this.settle(now_ms);
     const begun = performance.now();
     const ratio = Math.min(2, window.devicePixelRatio || 1) * this.detail;
     const sized = `${width} ${height} ${ratio}`;
@@ -405,6 +433,7 @@ export class Pane {
       picture.resize(width, height, ratio);
     }
     this.rebuild(picture, hello, now_ms);
+    this.follow();
     picture.draw(now_ms, this.look);
     this.drawings += 1;
     if (this.look.marks) this.drawLabels();
@@ -465,6 +494,19 @@ export class Pane {
     this.built = hello;
   }
 
+  private conned: number | null = null;
+  private lookAsked: Partial<Look> = {};
+
+  /** Goes with the page to another ship, where the instructor has chosen one. */
+  private follow(): void {
+    const conned = this.live.conned();
+    if (this.conned !== null && this.conned !== conned && this.look.eye !== "tug") {
+      this.look.vessel = conned;
+      this.mark();
+    }
+    this.conned = conned;
+  }
+
   /** Shows the view in a headset, or ends that. */
   private async wear(): Promise<void> {
     const { picture, canvas } = this;
@@ -493,14 +535,27 @@ export class Pane {
     }
   }
 
-  /** A slow machine gets a coarser picture, so that the instruments do not wait for it. */
-  private coarsen(now_ms: number): void {
-    if (this.settled_ms === 0) this.settled_ms = now_ms;
-    if (now_ms - this.settled_ms < SETTLES_MS || this.detail <= LEAST_DETAIL) return;
-    this.settled_ms = now_ms;
-    if (this.interval_ms < SLOW_MS) return;
-    this.detail = Math.max(LEAST_DETAIL, this.detail * 0.75);
-    this.interval_ms = SLOW_MS * 0.8;
+  /**
+   * A slow machine gets a coarser picture, so that the instruments do not wait for it, and a finer one again when it is quick. Each
+   * time that the finer picture was too slow again, the next try comes later.
+   */
+  private settle(now_ms: number): void {
+    if (now_ms - this.settled_ms < SETTLES_MS) return;
+    if (this.interval_ms > SLOW_MS && this.detail > LEAST_DETAIL) {
+      this.settled_ms = now_ms;
+      if (this.refined) this.refines_ms *= 2;
+      this.refined = false;
+      this.detail = Math.max(LEAST_DETAIL, this.detail * DETAIL_STEP);
+      this.interval_ms = SLOW_MS * 0.8;
+    } else if (
+      this.interval_ms < QUICK_MS &&
+      this.detail < 1 &&
+      now_ms - this.settled_ms > this.refines_ms
+    ) {
+      this.settled_ms = now_ms;
+      this.refined = true;
+      this.detail = Math.min(1, this.detail / DETAIL_STEP);
+    }
   }
 
   // ------------------------------------------------------------------------------------------------------- input
@@ -519,6 +574,7 @@ export class Pane {
   private reset(): void {
     Object.assign(this.look, {
       turn_rad: 0,
+      ...this.lookAsked,
       raise_rad: 0,
       view_rad: null,
       lifted_m: 0,
@@ -542,20 +598,8 @@ export class Pane {
     return this.picture?.gaze().view_rad ?? 0.8;
   }
 
-  private listen(): void {
+  private listenToPointers(): void {
     const { canvas } = this;
-    canvas.addEventListener("webglcontextlost", (event) => {
-      event.preventDefault();
-      this.state = "lost";
-      this.tell(
-        "The graphics of this machine stopped. Plan and instruments work as before; the view comes back by itself if it can.",
-      );
-    });
-    canvas.addEventListener("webglcontextrestored", () => {
-      this.state = "open";
-      this.built = null;
-      this.tell("");
-    });
     canvas.addEventListener("pointerdown", (event) => {
       canvas.setPointerCapture(event.pointerId);
       this.pointers.set(event.pointerId, [event.clientX, event.clientY]);
@@ -586,6 +630,24 @@ export class Pane {
       },
       { passive: false },
     );
+  }
+
+  private listen(): void {
+    const { canvas } = this;
+    canvas.addEventListener("webglcontextlost", (event) => {
+      event.preventDefault();
+      this.state = "lost";
+      this.tell(
+        "The graphics of this machine stopped. Plan and instruments work as before; the view comes back by itself if it can.",
+      );
+    });
+    canvas.addEventListener("webglcontextrestored", () => {
+      this.state = "open";
+      this.built = null;
+      this.tell("");
+    });
+    // One of several windows of a panorama: turned or zoomed alone, it would no longer fit its neighbours.
+    if (this.asked !== "alone") this.listenToPointers();
     // A button of the view that was pressed has the focus: the keys of the view work there too.
     this.root.addEventListener("keydown", (event) => {
       if (event.ctrlKey || event.altKey || event.metaKey) return;
@@ -603,7 +665,8 @@ export class Pane {
         PageDown: () => this.liftBy(-LIFT_STEP_M),
         m: () => this.toggleMarks(),
       };
-      const act = done[event.key];
+      const turns = /^(Arrow|[+=-]$)/.test(event.key);
+      const act = turns && this.asked === "alone" ? () => {} : done[event.key];
       if (act) act();
       else if (!this.numbered(Number(event.key))) return;
       // The rudder has the same arrows elsewhere on the page.
@@ -674,14 +737,12 @@ export class Pane {
     const { picture } = this;
     const { hello } = this.live;
     if (!picture || !hello || picture.headset.runs) return false;
+    // The picture may be of a scenario that was open before.
+    this.rebuild(picture, hello, performance.now());
     const { turn_rad, raise_rad, view_rad, eye } = this.look;
     if (eye !== "free") this.left.set(eye, { turn_rad, raise_rad, view_rad });
     Object.assign(this.look, { eye: "free", fender, view_rad: null, panorama_rad: null });
     this.mark();
-    if (this.built === null) {
-      picture.build(hello, this.live.bodies(performance.now()));
-      this.built = hello;
-    }
     const blob = await pngOf(picture.still(...MOMENT, this.look, performance.now()));
     if (blob) this.keep(blob, hello.fenders[fender]?.name ?? "fender", "png");
     return blob !== null;

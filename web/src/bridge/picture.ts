@@ -22,13 +22,14 @@ import { type Attitude, LEVEL, aim, fixedIn, stand } from "./aim";
 import { type Triple, aboard, toPicture } from "./axes";
 import { BIGHT_M, QUAY_M, bollard, deckHeight, fixedParts, isInside, quay, quaysOf } from "./berth";
 import { PIECES, catenary, draped, weightOf } from "./catenary";
+import { type Conduct, conductOf } from "./conduct";
 import { type Seat, seatAtBollard, seatOn } from "./eyes";
 import { Fenders, geometryOf, middleOf } from "./fenders";
 import type { Paint } from "./fittings";
 import { Headset } from "./headset";
 import { type Block, blocksOf, hides } from "./hidden";
 import { Glows } from "./glows";
-import { type Lamp, type LampColour, atAnchor, bearingFrom, isSeen, underWay } from "./lamps";
+import { type Lamp, type LampColour, bearingFrom, isSeen, lampsOf } from "./lamps";
 import type { Placed } from "./labels";
 import { MOST_TREES, cut, land } from "./land";
 import { type Light, PALETTE_SUNS, density, lightOf } from "./light";
@@ -74,8 +75,7 @@ interface Ship {
   /** What hides words behind her. */
   blocks: Block[];
   group: Group;
-  lamps: Lamp[];
-  anchored: Lamp[];
+  lamps: Record<Conduct, Lamp[]>;
 }
 
 /** What the picture shows of a frame. */
@@ -240,11 +240,7 @@ export class Picture {
   build(hello: Hello, bodies: (BodyNow | null)[]): void {
     this.clear();
     this.hello = hello;
-    const ship = bodies[this.live.body()] ?? bodies.find((body) => body !== null);
-    // A round place, so that two windows of one session have the same axes.
-    this.origin = ship
-      ? [Math.round(ship[0] / 1000) * 1000, Math.round(ship[1] / 1000) * 1000]
-      : [0, 0];
+    this.origin = originOf(hello, bodies);
     this.ropes.room(hello.lines.length + hello.anchors.length + hello.tugs.length);
     this.sea.sea(hello.sea, this.origin);
     this.decks = hello.bodies.map((_, i) => this.deckOf(hello, i));
@@ -372,8 +368,7 @@ export class Picture {
       arrangement,
       blocks: blocksOf(arrangement),
       group,
-      lamps: underWay(arrangement, false),
-      anchored: atAnchor(arrangement),
+      lamps: lampsOf(arrangement),
     };
   }
 
@@ -486,7 +481,8 @@ export class Picture {
     const before = this.live.previous?.water_level_m ?? frame.water_level_m;
     this.water_m = before + (frame.water_level_m - before) * share;
     this.ground.position.y = -this.water_m;
-    this.place(bodies, frame, share);
+    const traffic = this.live.traffic(now_ms);
+    this.place(bodies, traffic, frame, share);
     this.fenders?.tick(frame.fenders, this.water_m);
     if (this.headset.runs) {
       // Level with the deck: the head looks up and down.
@@ -505,7 +501,7 @@ export class Picture {
     this.lights(frame, t_s);
     const { x, y, z } = this.camera.position;
     this.sea.tick([x, y, z], t_s, frame.wind);
-    this.sea.wake(this.wakes(frame, bodies));
+    this.sea.wake(this.wakes(frame, bodies, traffic));
     this.dome.position.copy(this.camera.position);
     this.shadow(look);
     this.renderer.render(this.scene, this.headset.runs ? this.headset.camera : this.camera);
@@ -524,7 +520,12 @@ export class Picture {
     };
   }
 
-  private place(bodies: (BodyNow | null)[], frame: Frame, share: number): void {
+  private place(
+    bodies: (BodyNow | null)[],
+    traffic: (BodyNow | null)[],
+    frame: Frame,
+    share: number,
+  ): void {
     const { live, origin } = this;
     bodies.forEach((now, i) => {
       const group = this.bodies[i];
@@ -535,10 +536,9 @@ export class Picture {
       const lies = live.hello?.bodies[i]?.fixed ? fixedIn(this.water_m) : LEVEL;
       stand(group, origin, now, index >= 0 ? this.attitude(index, frame, share) : lies);
     });
-    const passing = frame.traffic;
     for (const ship of this.ships) {
       if (ship.body >= 0) continue;
-      const now = passing[ship.index];
+      const now = traffic[ship.index];
       ship.group.visible = Boolean(now);
       if (!now) continue;
       stand(ship.group, origin, now, LEVEL);
@@ -907,7 +907,10 @@ export class Picture {
     const fog = frame.visibility_m !== null && frame.visibility_m < 3700;
     if (this.light.lamps > 0 || fog) {
       for (const ship of this.ships) this.shipLights(ship, frame);
-      for (const { group, lamps } of this.tugs) if (group.visible) this.glow(group, lamps, 1);
+      this.tugs.forEach(({ group, lamps }, i) => {
+        const tows = frame.tugs[i]?.order === "pull";
+        if (group.visible) this.glow(group, tows ? lamps.tows : lamps.under_way, 1);
+      });
     }
     if (this.light.lamps > 0) {
       for (const feature of this.hello?.chart ?? []) this.chartLight(feature, t_s);
@@ -915,27 +918,10 @@ export class Picture {
     this.glows.end();
   }
 
-  private shipLights(ship: Ship, frame: Frame): void {
-    if (!ship.group.visible) return;
-    const anchored =
-      ship.body >= 0 &&
-      (this.hello?.anchors.some(
-        (anchor, i) => anchor.ship === ship.body && frame.anchors[i]?.state === "on_bottom",
-      ) ??
-        false) &&
-      Math.hypot(...(frame.vessels[ship.index]?.ground_mps ?? [0, 0])) < 0.3;
-    const tows =
-      this.hello?.lines.some(
-        (line, i) =>
-          line.ship === ship.body &&
-          ship.arrangement.kind === "tug" &&
-          frame.lines[i]?.state === "fast",
-      ) ?? false;
-    this.glow(
-      ship.group,
-      anchored ? ship.anchored : tows ? underWay(ship.arrangement, true) : ship.lamps,
-      1,
-    );
+  private shipLights({ group, body, index, lamps }: Ship, frame: Frame): void {
+    if (!group.visible || !this.hello) return;
+    const conduct = body < 0 ? "under_way" : conductOf(body, index, this.hello, frame);
+    this.glow(group, lamps[conduct], 1);
   }
 
   private readonly inverse = new Matrix4();
@@ -974,12 +960,12 @@ export class Picture {
 
   // ------------------------------------------------------------------------------------------------ wakes, shadows
 
-  private wakes(frame: Frame, bodies: (BodyNow | null)[]): Wake[] {
+  private wakes(frame: Frame, bodies: (BodyNow | null)[], traffic: (BodyNow | null)[]): Wake[] {
     const { x, z } = this.camera.position;
     return this.ships
       .flatMap((ship): (Wake & { away: number })[] => {
         if (!ship.group.visible) return [];
-        const now = ship.body >= 0 ? bodies[ship.body] : frame.traffic[ship.index];
+        const now = ship.body >= 0 ? bodies[ship.body] : traffic[ship.index];
         if (!now) return [];
         const { arrangement, group } = ship;
         const info = ship.body >= 0 ? frame.vessels[ship.index] : undefined;
@@ -1049,4 +1035,15 @@ function unknown(outline: Pair[], name: string): Vessel {
     draught_m: 0.33 * span(1),
     is_tug: false,
   };
+}
+
+/**
+ * A round place near something that stays where it is, so that all windows of a session have the same axes whenever they are opened; near
+ * the first body where nothing stays.
+ */
+function originOf(hello: Hello, bodies: (BodyNow | null)[]): Pair {
+  const fixed = hello.bodies.findIndex((body) => body.fixed);
+  const chart = hello.chart[0]?.lines[0]?.[0];
+  const near = bodies[fixed] ?? chart ?? bodies.find((body) => body !== null) ?? [0, 0];
+  return [Math.round(near[0] / 1000) * 1000, Math.round(near[1] / 1000) * 1000];
 }

@@ -2,6 +2,7 @@
 import { type Arrangement, STOREY_M } from "./arrangement";
 import { smooth } from "./axes";
 import { type Paint, type Parts, chance, railing, windowBand } from "./fittings";
+import { isLong, mastheads } from "./lamps";
 import { type Colour, Solids, type Spot } from "./solids";
 import { tugParts } from "./tug";
 import type { Pair } from "../protocol";
@@ -245,6 +246,12 @@ function wheelhouse(ship: Arrangement, paint: Paint, { painted, panes }: Parts):
       [fore - 0.6, outer + side * 0.3, floor + 0.25],
       side < 0 ? 0x8c1d1d : 0x1c6b34,
     );
+  }
+  if (isLong(ship)) {
+    const { aft: after, post } = mastheads(ship);
+    const [at, up] = after;
+    if (post)
+      painted.post([at, 0, ship.hull.deck_m(at)], [at, 0, up + 0.6], 0.3, WHITE, { upper_m: 0.14 });
   }
   // Mast with radar scanners.
   const at = (fore + aft) / 2;

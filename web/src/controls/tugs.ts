@@ -257,8 +257,19 @@ function vectorText(now: TugNow): string {
   return now.force_n > NO_FORCE_N ? `easing, ${tonnes(now.force_n)}` : "stands by";
 }
 
+/** The forces of contact between a body and those that can move [N]. */
+export function touching_n({ contacts }: Frame, body: number, movable: boolean[]): number {
+  return contacts.reduce((sum, { bodies: [one, other], force_n }) => {
+    const isOther = (one === body && movable[other]) || (other === body && movable[one]);
+    return isOther ? sum + Math.hypot(...force_n) : sum;
+  }, 0);
+}
+
 /** A tug that is a vessel: her own pilot takes her to the ship's side. */
 export class VesselTug extends TugCard {
+  private readonly body: number;
+  private readonly movable: boolean[];
+
   constructor(
     page: Page,
     info: VesselInfo,
@@ -268,13 +279,19 @@ export class VesselTug extends TugCard {
     const places = hello.vessels[info.serves ?? -1]?.places ?? [];
     const powers = powersWithin(hello.limits.tug_power);
     super(page, info.name, { vessel: info.name }, info.has_towline, powers, places);
+    this.body = info.body;
+    this.movable = hello.bodies.map(({ fixed }) => !fixed);
   }
 
   protected now(frame: Frame): CardNow | null {
     const now = frame.vessels[this.index];
     if (!now) return null;
     const { assist } = now;
-    if (!assist) return { order: null, power: 0, place: null, text: "hand steering" };
+    if (!assist) {
+      const pushes_n = touching_n(frame, this.body, this.movable);
+      const text = pushes_n < NO_FORCE_N ? "by hand" : `by hand, pushes ${tonnes(pushes_n)}`;
+      return { order: null, power: 0, place: null, text };
+    }
     const { order, power, place } = assist;
     return { order, power, place, text: assistText(assist) };
   }
@@ -283,7 +300,7 @@ export class VesselTug extends TugCard {
 /** A tug that is told to stand off is at her place within this distance: beside a ship that turns she stays so near [m]. */
 const AT_HER_PLACE_M = 35;
 
-function assistText({ state, force_n, away_m }: AssistNow): string {
+function assistText({ state, force_n, away_m, slack_m }: AssistNow): string {
   // Short, because the card is narrow.
   const toGo = away_m === null ? null : `${fixed(away_m, 0)} m to go`;
   switch (state) {
@@ -296,7 +313,7 @@ function assistText({ state, force_n, away_m }: AssistNow): string {
     case "pushes":
       return `pushes ${tonnes(force_n)}`;
     case "takes_up_slack":
-      return "takes up slack";
+      return slack_m === null || slack_m < 0.5 ? "takes up slack" : `slack ${fixed(slack_m, 0)} m`;
     case "pulls":
       return `pulls ${tonnes(force_n)}`;
     default:

@@ -17,7 +17,7 @@ import {
 import type { Live } from "../live";
 import type { Frame, Hello, VesselInfo } from "../protocol";
 import { h, setAttribute, setClass, setText } from "../ui/dom";
-import { fixed, heading, percent, rateOfTurn, sided, toKnots, wrapped } from "../units";
+import { fixed, heading, percent, rateOfTurn, relative, sided, toKnots, wrapped } from "../units";
 import type { View } from "./view";
 
 /** Below this a figure has no side. */
@@ -125,12 +125,14 @@ class Display {
     return [
       this.figure("Wind kn", ({ frame, body }) => [
         fixed(toKnots(frame.wind.speed_mps), 0),
-        frame.wind.speed_mps > 0.1 ? `from ${sided(wrapped(frame.wind.from_rad - body[2]))}` : "",
+        frame.wind.speed_mps > 0.1
+          ? `from ${relative(wrapped(frame.wind.from_rad - body[2]))}`
+          : "",
       ]),
       this.figure("Current kn", ({ frame, body }) => [
         fixed(toKnots(frame.current.speed_mps), 1),
         frame.current.speed_mps > 0.01
-          ? `sets ${sided(wrapped(frame.current.to_rad - body[2]))}`
+          ? `sets ${relative(wrapped(frame.current.to_rad - body[2]))}`
           : "",
       ]),
       this.figure("Under keel m", ({ now, info }, { depth_m }) => {

@@ -60,6 +60,7 @@ class Row {
   private shown_s = -Infinity;
   /** A bollard was chosen by hand; until then it is where a line of this name leads. */
   private chosen = false;
+  private offered: string | null = null;
   /** Distance to each bollard as it is listed [m]. */
   private far = new Map<string, number>();
   private readonly tooFar = h("p", { class: "note", role: "status" });
@@ -178,10 +179,15 @@ class Row {
         { name, from_fairlead: fromFairlead(ship, this.info.fairlead_m, onEarth(on, at_m)), m },
       ];
     });
-    const offered = firstOffered(this.info.name, this.info.fairlead_m, places, (m) =>
-      this.reaches(m),
+    const offered = firstOffered(
+      this.info.name,
+      this.info.fairlead_m,
+      places,
+      (m) => this.reaches(m),
+      this.offered,
     );
-    if (offered) this.bollards.value = offered.name;
+    if (!offered) return;
+    this.bollards.value = this.offered = offered.name;
   }
 
   /**
@@ -272,10 +278,12 @@ export class Lines implements View {
     this.rows = hello.lines.map(
       (info, i) => new Row(info, page, hello, goal?.lines.includes(i) ? goal : null),
     );
-    // The ship's own lines come before the towlines.
-    const ofKind = (isTowline: boolean) =>
-      this.rows.filter((_, i) => (hello.lines[i]?.is_towline ?? false) === isTowline);
-    const inOrder = [...ofKind(false), ...ofKind(true)];
+    // First what the page's people may work, as the towline on a tugmaster's page; else mooring lines before towlines.
+    const last = (info: LineInfo) => (mayWork(info, hello) ? 0 : 2) + (info.is_towline ? 1 : 0);
+    const inOrder = hello.lines
+      .map((info, i) => ({ row: this.rows[i], at: last(info) }))
+      .toSorted((a, b) => a.at - b.at)
+      .flatMap(({ row }) => row ?? []);
     this.root = h(
       "div",
       { class: "lines" },

@@ -27,11 +27,12 @@ import {
 } from "../geometry";
 import type { Live } from "../live";
 import { type Palette, palette } from "../palette";
+import { Motion } from "../instruments/motion";
 import type { BodyNow, Frame, Pair } from "../protocol";
 import type { Placing } from "../placing";
 import type { Trial } from "../trial";
-import { button, canvas, h, setAttribute, setClass, setText } from "../ui/dom";
-import { fixed, heading, knots, rateOfTurn, toKnots } from "../units";
+import { button, canvas, h, setAttribute, setText } from "../ui/dom";
+import { fixed } from "../units";
 import { PlanReadout } from "./plan_readout";
 import { Safety } from "./safety";
 import { Tools } from "./tools";
@@ -74,7 +75,7 @@ export class Plan implements View {
   private lastShip: Pair | null = null;
   private up: Up = "north";
   private readonly pointers = new Map<number, Pair>();
-  private readonly readout = new Readout();
+  private readonly readout = new Motion("readout");
   private readonly onPlan = new PlanReadout();
   private readonly measuring = new Tools();
   private readonly safety = new Safety(() => this.draught());
@@ -467,62 +468,6 @@ class Widths {
       this.known.set(key, width);
     }
     return width;
-  }
-}
-
-/** The values in the plan's corner. */
-class Readout {
-  private readonly cells = new Map<string, HTMLElement>();
-  readonly root = h("dl", { class: "readout", "aria-label": "Motion of the ship" });
-
-  constructor() {
-    for (const [key, name] of [
-      ["HDG", "Heading"],
-      ["ROT", "Rate of turn"],
-      ["SOG", "Speed over ground"],
-      ["COG", "Course over ground"],
-      ["UKC", "Under-keel clearance"],
-      ["WIND", "Wind, from"],
-      ["CURR", "Current, towards"],
-    ] as const) {
-      const cell = h("dd", {}, "–");
-      this.cells.set(key, cell);
-      this.root.append(h("div", {}, h("dt", { title: name }, key), cell));
-    }
-  }
-
-  private set(key: string, text: string): void {
-    const cell = this.cells.get(key);
-    if (cell) setText(cell, text);
-  }
-
-  tick(frame: Frame, live: Live): void {
-    // A tugmaster reads the motion of the tug, not of the ship.
-    const now = frame.vessels[live.conned()];
-    const body = frame.bodies[live.readBody()];
-    if (!body) return;
-    const [, , head, north, east, rate] = body;
-    const under_keel_m = now?.under_keel_m ?? null;
-    const speed = Math.hypot(north, east);
-    const turn = rateOfTurn(rate);
-    this.set("HDG", heading(head));
-    this.set(
-      "ROT",
-      `${Math.abs(turn) < 0.05 ? "" : turn < 0 ? "◀ " : "▶ "}${fixed(Math.abs(turn), 1)}°/min`,
-    );
-    this.set("SOG", knots(speed, 2));
-    this.set("COG", speed < 0.02 ? "–" : heading(Math.atan2(east, north)));
-    this.set("UKC", under_keel_m === null ? "–" : `${fixed(under_keel_m, 1)} m`);
-    this.set(
-      "WIND",
-      `${fixed(toKnots(frame.wind.speed_mps), 0)} kn ${heading(frame.wind.from_rad, 0)}`,
-    );
-    this.set(
-      "CURR",
-      `${fixed(toKnots(frame.current.speed_mps), 1)} kn ${heading(frame.current.to_rad, 0)}`,
-    );
-    const cell = this.cells.get("UKC");
-    if (cell) setClass(cell, "alarm", (now?.aground ?? false) || (under_keel_m ?? 9) < 0.5);
   }
 }
 

@@ -112,3 +112,23 @@ fn a_pilot_without_a_name_keeps_the_helm_over_a_reload_and_a_second_page_cannot_
         server.stop_and_check();
     });
 }
+
+/// A pilot and a tugmaster reached their goal without an instructor: the run paused, neither could resume it, and the tugs went on
+/// pushing for ever.
+#[test]
+fn an_exercise_that_ends_pauses_for_an_instructor_and_not_without_one() {
+    const ENDS: &str = "exercise={ vessel = \"ship\", goal = \"alongside\", time_limit = \"2 s\" }";
+    block_on(async {
+        let server = Server::start(&["--set", ENDS]);
+        let mut pilot = Client::join(&server, "pilot").await;
+        assert!(pilot.notice("exercise has ended").await.contains("goes on"));
+        let frame = pilot.frame_after(60).await;
+        assert_eq!(frame["run"]["paused"], false);
+        server.stop_and_check();
+        let server = Server::start(&["--set", ENDS]);
+        let mut instructor = Client::join(&server, "instructor").await;
+        assert!(instructor.notice("exercise has ended").await.contains("resumes"));
+        assert_eq!(instructor.frame_after(19).await["run"]["paused"], true);
+        server.stop_and_check();
+    });
+}

@@ -101,7 +101,7 @@ table_keys! {
             "least_tension",
             Kind::Quantity(FORCE),
             Means("no least tension"),
-            "For the goal `all_fast`: a line with less tension does not count.",
+            "For the goal `all_fast`: a line with less tension does not count, nor does a line whose winch heaves or pays out.",
             &["\"30 kN\""],
         ),
         MOST_TENSION: Number = key(

@@ -1,9 +1,10 @@
 //! The present state of a vessel, for a frame.
 
+use fenderline_contact::number::greater;
 use fenderline_contact::{Vec2, vec2};
 use fenderline_sim::berth::Berth;
 use fenderline_sim::order::{SidePlace, TugWord, Word};
-use fenderline_sim::{Job, Pilots};
+use fenderline_sim::{Job, LineEnd, Pilots, Simulation};
 
 use crate::berth;
 use crate::message::{AssistNow, AssistState, AzimuthNow, RudderNow, ShareNow, VesselNow};
@@ -79,7 +80,7 @@ fn assist_now(now: &Now, tug: usize, job: &Job) -> AssistNow {
     };
     let states = now.simulation.states();
     let world = |body: usize, at_m| states[body].pose().apply(at_m);
-    let mut away_m = None;
+    let (mut away_m, mut slack_m) = (None, None);
     let (word, force_n, place, state, felt_n) = match *job {
         Job::Follow { ship, at_m, .. } => {
             away_m = Some((world(own, Vec2::ZERO) - world(ship, at_m)).length());
@@ -106,12 +107,25 @@ fn assist_now(now: &Now, tug: usize, job: &Job) -> AssistNow {
         Job::Pull { line, force_n, .. } => {
             let tension_n = now.simulation.lines()[line].load.tension_n;
             let is_taut = tension_n > SLACK_N;
+            slack_m = slack(&now.simulation, line).filter(|_| !is_taut);
             let state = if is_taut { AssistState::Pulls } else { AssistState::TakesUpSlack };
             (TugWord::Pull, force_n, None, state, tension_n)
         }
     };
     let power = force_n / setup.world.vessels[tug].bollard_pull_n();
-    AssistNow { order: word.word(), power, place, state, away_m, force_n: felt_n }
+    AssistNow { order: word.word(), power, place, state, away_m, slack_m, force_n: felt_n }
+}
+
+/// How much longer a line between two bodies is than the straight way between its ends (m); 0 if the line is straight.
+fn slack(simulation: &Simulation, line: usize) -> Option<f64> {
+    let of = &simulation.setup().world.lines[line];
+    let LineEnd::OnBody { body, at_m, above_water_m } = of.end? else { return None };
+    let (_, state) = simulation.lines()[line].line.as_ref()?;
+    let states = simulation.states();
+    let place = |body: usize, at_m| states[body].pose().apply(at_m);
+    let level = place(of.ship, of.fairlead_m) - place(body, at_m);
+    let way_m = libm::hypot(level.length(), of.fairlead_above_water_m - above_water_m);
+    Some(greater(state.length_m - way_m, 0.0))
 }
 
 /// A tug that has touched the ship and whose bow is nearer to the place of her order is alongside (m).

@@ -7,6 +7,7 @@ use super::anchored::{AnchorPlace, Holding};
 use super::words::{metres, speed, tension};
 use crate::berth::Lie;
 use crate::simulation::Simulation;
+use fenderline_ship::mooring::WinchOrder;
 use fenderline_world::world::Mooring;
 
 /// A condition that belongs to the goal of an exercise.
@@ -77,13 +78,18 @@ impl Condition {
             Condition::LinesFast { lines, at_least, tension_n } => {
                 let all = simulation.lines();
                 let fast = lines.iter().filter(|&&line| is_fast(&all[line])).count();
+                let asks_tension = tension_n[0] > 0.0 || tension_n[1].is_finite();
                 let within = |line: &&usize| {
-                    let tension = all[**line].load.tension_n;
-                    is_fast(&all[**line]) && tension >= tension_n[0] && tension <= tension_n[1]
+                    let line = &all[**line];
+                    let tension = line.load.tension_n;
+                    // The tension of a line whose winch works does not last.
+                    let holds = !asks_tension || line.order == WinchOrder::Hold;
+                    is_fast(line) && holds && tension >= tension_n[0] && tension <= tension_n[1]
                 };
                 let good = lines.iter().filter(within).count();
-                let now =
-                    format!("{fast} lines fast, {good} of {at_least} with the required tension");
+                let what =
+                    if asks_tension { " with the required tension, winch on hold" } else { "" };
+                let now = format!("{fast} lines fast, {good} of {at_least}{what}");
                 Fulfilled { is_met: good >= *at_least, now }
             }
             Condition::LinesAboard { lines } => {
@@ -135,9 +141,11 @@ impl Condition {
             Condition::LinesFast { at_least, tension_n: [least, most], .. } => {
                 let lines = if *at_least == 1 { "line" } else { "lines" };
                 let tension = match (*least > 0.0, most.is_finite()) {
-                    (true, true) => format!(", {} to {} each", tension(*least), tension(*most)),
-                    (true, false) => format!(", at least {} each", tension(*least)),
-                    (false, true) => format!(", at most {} each", tension(*most)),
+                    (true, true) => {
+                        format!(", {} to {} each, winch on hold", tension(*least), tension(*most))
+                    }
+                    (true, false) => format!(", at least {} each, winch on hold", tension(*least)),
+                    (false, true) => format!(", at most {} each, winch on hold", tension(*most)),
                     (false, false) => String::new(),
                 };
                 format!("{at_least} {lines} fast{tension}")
