@@ -100,13 +100,26 @@ export class Live {
     return from === undefined ? till : from + (till - from) * this.share(now_ms);
   }
 
-  /** The bodies at the position of this drawing. */
+  /** The bodies at the position of this drawing, as the instruments show them. */
   bodies(now_ms: number): (BodyNow | null)[] {
+    return this.interpolated(({ bodies }) => bodies, now_ms);
+  }
+
+  /** The bodies at the position of this drawing, as the eye sees them: no instrument comes between. */
+  seenBodies(now_ms: number): (BodyNow | null)[] {
+    return this.interpolated(seenIn, now_ms);
+  }
+
+  private interpolated(
+    bodiesIn: (frame: Frame) => (BodyNow | null)[],
+    now_ms: number,
+  ): (BodyNow | null)[] {
     const { frame, previous } = this;
     if (!frame) return [];
-    if (!previous) return frame.bodies;
+    const [from, till] = [previous && bodiesIn(previous), bodiesIn(frame)];
+    if (!from) return till;
     const share = this.share(now_ms);
-    return frame.bodies.map((to, i) => to && between(previous.bodies[i] ?? to, to, share));
+    return till.map((to, i) => to && between(from[i] ?? to, to, share));
   }
 
   /** The ships that pass, at the position of this drawing. */
@@ -186,6 +199,10 @@ export class Live {
     return this.hello?.claims.find((claim) => same(claim.control, control)) ?? null;
   }
 }
+
+/** The bodies of a frame as the eye sees them: an instrument of the own vessel may be frozen. */
+const seenIn = ({ bodies, eyes }: Frame): (BodyNow | null)[] =>
+  eyes ? bodies.with(eyes.body, eyes.now) : bodies;
 
 /** The fastest floating body. */
 function fastest(hello: Hello | null, { bodies }: Frame): number | null {

@@ -615,6 +615,11 @@ export type FrameOfAll = {
   run: RunState;
   /** Position and motion of each body; `None` if fog hides the body. */
   bodies: (BodyNow | null)[];
+  /**
+   * The own vessel as the eye sees her out of the window. `null` while `bodies` and `vessels` have her true motion:
+   * they have what her instruments show, and an instrument may be frozen.
+   */
+  eyes: EyesNow | null;
   vessels: Array<VesselNow>;
   fenders: Array<FenderNow>;
   contacts: Array<ContactNow>;
@@ -938,6 +943,19 @@ export type VerdictNow = {
 };
 
 export type FindingNow = { key: string; gravity: Gravity; text: string };
+
+/**
+ * The true motion of a vessel whose instruments are frozen. Only the frames of her own pilot or master contain this: the
+ * view out of the window shows it, and the instruments do not.
+ */
+export type EyesNow = {
+  /** Index of the vessel's body in `bodies`. */
+  body: number;
+  /** True position and motion of the body. */
+  now: BodyNow;
+  /** True speed of the vessel through the water, ahead and to starboard (m/s), which her wake shows. */
+  water_mps: [number, number];
+};
 
 /** The state of an exercise as everybody gets it. */
 export type ExerciseNow = {

@@ -31,7 +31,6 @@ interface Of {
 function conduct(vessel: number, of: Of): Conduct {
   const frame = {
     vessels: [0, 1].map(() => ({
-      ground_mps: [of.speed_mps ?? 0, 0],
       aground: of.aground ?? false,
     })),
     anchors: [{ state: of.anchor ?? "housed", dragging: of.dragging ?? false }],
@@ -40,7 +39,7 @@ function conduct(vessel: number, of: Of): Conduct {
       bollard: i === 0 && of.fast?.includes(0) ? 0 : null,
     })),
   } as unknown as Frame;
-  return conductOf(vessel, vessel, HELLO, frame);
+  return conductOf(vessel, vessel, HELLO, frame, [0, 0, 0, of.speed_mps ?? 0, 0, 0]);
 }
 
 test("a moored ship is made fast, and one that comes in with a line ashore is under way", () => {

@@ -13,6 +13,7 @@ function frame(tick: number, north: number, paused = false): Frame {
     t_s: tick / 10,
     at_ms: 0,
     bodies,
+    eyes: null,
     vessels: [],
     fenders: [],
     contacts: [],
@@ -59,6 +60,37 @@ test("a rewind is not interpolated", () => {
   live.tick(frame(500, 90), 1000);
   live.tick(frame(100, 10), 1100);
   expect(live.bodies(1100)[0]?.[0]).toBe(10);
+});
+
+/** A frame of the pilot whose receiver is frozen at 0 m, while the ship is at `north`. */
+const frozen = (tick: number, north: number): Frame => ({
+  ...frame(tick, 0),
+  eyes: { body: 0, now: [north, 0, 0, 0, 0, 0], water_mps: [0, 0] },
+});
+
+test("a frozen instrument does not freeze the view out of the window", () => {
+  const live = new Live();
+  live.tick(frozen(2, 10), 1000);
+  live.tick(frozen(3, 20), 1100);
+  expect(live.seenBodies(1150)[0]?.[0]).toBeCloseTo(15, 6);
+  expect(live.bodies(1150)[0]?.[0], "the instruments stay").toBe(0);
+  expect(live.seenBodies(1150)[1]).toEqual(live.bodies(1150)[1]);
+});
+
+test("the view is steady when an instrument freezes, when it works again, and right after a rewind", () => {
+  const live = new Live();
+  const north = (now_ms: number) => live.seenBodies(now_ms)[0]?.[0];
+  live.tick(frame(1, 40), 1000);
+  live.tick(frozen(2, 50), 1100);
+  expect(north(1100)).toBe(40);
+  expect(north(1150)).toBeCloseTo(45, 6);
+  live.tick(frame(3, 60), 1200);
+  expect(north(1200)).toBe(50);
+  expect(north(1250)).toBeCloseTo(55, 6);
+  live.tick(frozen(100, 700), 1300);
+  expect(north(1300)).toBe(700);
+  live.tick(frozen(20, 90), 1400);
+  expect(north(1400)).toBe(90);
 });
 
 test("missing frames are a fault while the session runs, not while it is paused", () => {

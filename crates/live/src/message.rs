@@ -585,6 +585,9 @@ pub struct Frame {
     /// Position and motion of each body; `None` if fog hides the body.
     #[cfg_attr(test, ts(type = "(BodyNow | null)[]"))]
     pub bodies: Vec<Option<[f64; 6]>>,
+    /// The own vessel as the eye sees her out of the window. `null` while `bodies` and `vessels` have her true motion:
+    /// they have what her instruments show, and an instrument may be frozen.
+    pub eyes: Option<EyesNow>,
     pub vessels: Vec<VesselNow>,
     pub fenders: Vec<FenderNow>,
     pub contacts: Vec<ContactNow>,
@@ -612,6 +615,20 @@ pub struct Frame {
     /// The verdict on the run from the start to this tick.
     pub verdict: VerdictNow,
     pub exercise: Option<ExerciseNow>,
+}
+
+/// The true motion of a vessel whose instruments are frozen. Only the frames of her own pilot or master contain this: the
+/// view out of the window shows it, and the instruments do not.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(TS))]
+pub struct EyesNow {
+    /// Index of the vessel's body in `bodies`.
+    pub body: usize,
+    /// True position and motion of the body.
+    #[cfg_attr(test, ts(type = "BodyNow"))]
+    pub now: [f64; 6],
+    /// True speed of the vessel through the water, ahead and to starboard (m/s), which her wake shows.
+    pub water_mps: Pair,
 }
 
 /// The state of an exercise as everybody gets it.

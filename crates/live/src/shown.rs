@@ -3,7 +3,7 @@
 use fenderline_contact::Vec2;
 
 use crate::frozen::{Frozen, Place, place};
-use crate::message::{Frame, Role};
+use crate::message::{EyesNow, Frame, Role};
 use crate::plan;
 use crate::session::Session;
 use crate::speeds::{Speeds, speeds};
@@ -46,15 +46,15 @@ impl Session {
         self.now().frozen[vessel].any().then_some(vessel)
     }
 
-    /// Puts the values of frozen instruments in the place of the true values of a frame.
+    /// Puts the values of frozen instruments in the place of the true values of a frame. The true motion moves to `eyes`:
+    /// the person finds a frozen instrument because the view out of the window contradicts it.
     pub(crate) fn freeze(&self, vessel: usize, frame: &mut Frame) {
         let Frozen { heading_rad, speeds, place } = self.now().frozen[vessel];
         let body = self.simulation().setup().world.vessels[vessel].body;
-        let Some([north_m, east_m, heading, north_mps, east_mps, turn_radps]) =
-            &mut frame.bodies[body]
-        else {
-            return;
-        };
+        let Some(own) = &mut frame.bodies[body] else { return };
+        let water_mps = frame.vessels[vessel].water_mps;
+        frame.eyes = Some(EyesNow { body, now: *own, water_mps });
+        let [north_m, east_m, heading, north_mps, east_mps, turn_radps] = own;
         if let Some(frozen_rad) = heading_rad {
             (*heading, *turn_radps) = (frozen_rad, 0.0);
         }

@@ -280,6 +280,7 @@ fn protocol() -> String {
         EventNow,
         VerdictNow,
         FindingNow,
+        EyesNow,
         ExerciseNow,
         ConditionNow,
         ExerciseMarks,

@@ -1,5 +1,5 @@
-//! Frozen instruments. The ship's pilot sees the old values, the instructor sees the true values, and nobody else is
-//! told. Also: a single thruster trips.
+//! Frozen instruments. The ship's pilot reads the old values and sees the true motion out of the window, the instructor
+//! sees the true values, and nobody else is told. Also: a single thruster trips.
 
 use crate::support;
 
@@ -56,6 +56,51 @@ fn each_frozen_instrument_stays_for_her_pilot_alone() {
         fault(&mut session, of, false);
         assert_eq!(ship(&session, &Role::PILOT), ship(&session, &Role::Instructor));
     }
+}
+
+/// The view out of the window stood still with the frozen compass: the pilot could not find the fault by looking.
+#[test]
+fn out_of_the_window_her_pilot_alone_sees_how_she_moves_while_an_instrument_is_frozen() {
+    let mut session = support::open("scenarios/live/berthing.toml", &[]);
+    support::command(&mut session, support::engine(0.5));
+    support::command(&mut session, support::rudder(0.5));
+    support::go(&mut session, 300);
+    let pilot = |session: &Session| seen(session, &Role::PILOT);
+    assert_eq!(pilot(&session).eyes, None, "no instrument is frozen");
+    for of in [Fault::HeadingFrozen, Fault::SpeedFrozen, Fault::PositionFrozen] {
+        fault(&mut session, of, true);
+        let before = pilot(&session);
+        support::go(&mut session, 100);
+        let (truth, shown) = (seen(&session, &Role::Instructor), pilot(&session));
+        let eyes = shown.eyes.expect("an instrument is frozen");
+        assert_eq!((eyes.body, Some(eyes.now)), (0, truth.bodies[0]), "{of:?}");
+        assert_eq!(eyes.water_mps, truth.vessels[0].water_mps, "{of:?}");
+        assert_ne!(shown.bodies[0], truth.bodies[0], "{of:?}: the instruments show old values");
+        assert_ne!(before.eyes, shown.eyes, "{of:?}: she moves");
+        assert_eq!(truth.eyes, None);
+        for tug in ["forward_tug", "after_tug"] {
+            let master = Role::Tugmaster { tug: tug.into() };
+            assert_eq!(seen(&session, &master).eyes, None, "{of:?}: {tug}");
+        }
+        assert_eq!(seen(&session, &Role::Observer).eyes, None, "{of:?}");
+        fault(&mut session, of, false);
+        assert_eq!(pilot(&session).eyes, None, "{of:?}");
+    }
+}
+
+#[test]
+fn the_master_of_a_tug_with_frozen_instruments_sees_her_own_true_motion() {
+    let mut session = support::open("scenarios/live/berthing.toml", &[]);
+    let master = Role::Tugmaster { tug: "forward_tug".into() };
+    let action =
+        OtherAction::Fault { vessel: "forward_tug".into(), fault: Fault::PositionFrozen, on: true };
+    support::command(&mut session, action.into());
+    support::go(&mut session, 100);
+    let (truth, shown) = (seen(&session, &Role::Instructor), seen(&session, &master));
+    let eyes = shown.eyes.expect("her receiver is frozen");
+    assert_eq!(Some(eyes.now), truth.bodies[eyes.body]);
+    assert_ne!(shown.bodies[eyes.body], truth.bodies[eyes.body]);
+    assert_eq!(seen(&session, &Role::PILOT).eyes, None, "the ship's own instruments are well");
 }
 
 /// Bow speed, speed ahead and rate of turn in the ship's charts, at the times of the past that a role gets.

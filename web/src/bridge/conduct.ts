@@ -1,5 +1,5 @@
 /** What a vessel does, as far as her lights tell it. */
-import type { Frame, Hello, LineInfo, LineNow } from "../protocol";
+import type { BodyNow, Frame, Hello, LineInfo, LineNow } from "../protocol";
 
 /** Under way with or without a tow, at anchor, aground, or made fast to a quay. */
 export type Conduct = "under_way" | "tows" | "at_anchor" | "aground" | "made_fast";
@@ -8,10 +8,16 @@ export type Conduct = "under_way" | "tows" | "at_anchor" | "aground" | "made_fas
 const SHEERS_MPS = 1;
 const AT_REST_MPS = 0.5;
 
-/** What a vessel does; `body`: index of her body, `vessel`: index of the vessel. */
-export function conductOf(body: number, vessel: number, hello: Hello, frame: Frame): Conduct {
+/** What a vessel does; `body`: index of her body, `vessel`: index of the vessel, `motion`: how she really moves. */
+export function conductOf(
+  body: number,
+  vessel: number,
+  hello: Hello,
+  frame: Frame,
+  motion: BodyNow,
+): Conduct {
   const now = frame.vessels[vessel];
-  const speed_mps = Math.hypot(...(now?.ground_mps ?? [0, 0]));
+  const speed_mps = Math.hypot(motion[3], motion[4]);
   const lines = hello.lines.flatMap((info, i): [LineInfo, LineNow][] => {
     const line = frame.lines[i];
     return line?.state === "fast" ? [[info, line]] : [];

@@ -60,7 +60,7 @@ export async function drawMoment(moment: Moment, latest: Moment["frame"]): Promi
     live.tick(frame, 0);
     const picture = new Picture(document.createElement("canvas"), live, { cheap: isSoftware() });
     try {
-      picture.build(hello, frame.bodies);
+      picture.build(hello, live.seenBodies(0));
       const still = picture.still(...SIZE, { ...LOOK, fender }, 0);
       return { image: jpeg(still), words: wordsOf(moment) + late };
     } finally {

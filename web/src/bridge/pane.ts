@@ -2,6 +2,7 @@
  * The view out of the window as a part of the page: canvas, buttons for the places of the eye, looking around by drag, touch
  * and keys. What draws the picture is loaded when the view is first shown. Without it the page stays usable and says so.
  */
+import { bearingOf } from "./bearing";
 import { Film } from "./film";
 import { figures } from "./in_picture";
 import { placed } from "./labels";
@@ -314,27 +315,31 @@ export class Pane {
   }
 
   /** Name of the place, direction and angle of view. */
-  private describe(): void {
+  private describe(now_ms: number): void {
     const { hello } = this.live;
     if (!this.picture || !hello) return;
-    const { bearing_rad, elevation_rad, view_rad } = this.picture.gaze();
+    const { elevation_rad, view_rad, ...gaze } = this.picture.gaze();
     const { eye, vessel, bollard } = this.look;
     const [, words] = EYE_NAMES[eye];
     const whose =
       eye === "bollard"
         ? spoken(hello.bollards[bollard]?.name ?? "")
         : spoken((hello.vessels[vessel] ?? hello.tugs[vessel - hello.vessels.length])?.name ?? "");
-    const body = this.live.frame?.bodies[hello.vessels[vessel]?.body ?? -1];
-    const side =
-      body && eye !== "bollard" && eye !== "free" ? wrapped(bearing_rad - body[2]) : null;
+    const { bearing_rad, side_rad } = bearingOf(
+      this.look,
+      gaze.bearing_rad,
+      hello,
+      this.live.bodies(now_ms),
+      this.live.seenBodies(now_ms),
+    );
     const relative =
-      side === null
+      side_rad === null
         ? ""
-        : Math.abs(side) < 0.5 * DEG
+        : Math.abs(side_rad) < 0.5 * DEG
           ? " (ahead)"
-          : Math.abs(side) > 179.5 * DEG
+          : Math.abs(side_rad) > 179.5 * DEG
             ? " (astern)"
-            : ` (${side < 0 ? "P" : "S"} ${fixed(Math.abs(toDegrees(side)), 0)}°)`;
+            : ` (${side_rad < 0 ? "P" : "S"} ${fixed(Math.abs(toDegrees(side_rad)), 0)}°)`;
     setText(
       this.caption,
       `${words.replace(/^./, (c) => c.toUpperCase())}${whose ? `, ${whose}` : ""}: ${heading(bearing_rad, 0)}${relative}, ${elevation_rad < 0 ? "down" : "up"} ${fixed(Math.abs(toDegrees(elevation_rad)), 0)}°, view ${fixed(toDegrees(view_rad), 0)}°${this.detail < 1 ? "; coarse, because this machine draws slowly" : ""}${this.lift()}`,
@@ -441,7 +446,7 @@ export class Pane {
     if (this.scripts.length > REMEMBERED) this.scripts.shift();
     if (now_ms - this.described_ms > 200) {
       this.described_ms = now_ms;
-      this.describe();
+      this.describe(now_ms);
       // For tests.
       canvas.dataset.script = median(this.scripts).toFixed(2);
       canvas.dataset.drawn = String(this.drawings);
@@ -482,7 +487,7 @@ export class Pane {
     if (this.built === hello) return;
     // Claims of helms come with a new greeting of the same scenario.
     if (!this.built || !isSame(this.built, hello)) {
-      picture.build(hello, this.live.bodies(now_ms));
+      picture.build(hello, this.live.seenBodies(now_ms));
       const own = this.ownVector();
       if (!this.built && own !== null && this.asked === null)
         Object.assign(this.look, { eye: "tug", vessel: own });

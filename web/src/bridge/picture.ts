@@ -473,7 +473,7 @@ export class Picture {
     const { frame } = this.live;
     const { hello } = this;
     if (!frame || !hello) return;
-    const bodies = this.live.bodies(now_ms);
+    const bodies = this.live.seenBodies(now_ms);
     const t_s = this.live.time(now_ms);
     const share = this.live.share(now_ms);
     this.sun(t_s);
@@ -498,7 +498,7 @@ export class Picture {
     this.measured(hello, t_s);
     if (look.marks) this.mark(frame, hello, look);
     this.strokes.end();
-    this.lights(frame, t_s);
+    this.lights(frame, bodies, t_s);
     const { x, y, z } = this.camera.position;
     this.sea.tick([x, y, z], t_s, frame.wind);
     this.sea.wake(this.wakes(frame, bodies, traffic));
@@ -901,12 +901,12 @@ export class Picture {
 
   // -------------------------------------------------------------------------------------------------------- lights
 
-  private lights(frame: Frame, t_s: number): void {
+  private lights(frame: Frame, bodies: (BodyNow | null)[], t_s: number): void {
     this.glows.begin();
     // Rule 20: lights from sunset on, and in restricted visibility.
     const fog = frame.visibility_m !== null && frame.visibility_m < 3700;
     if (this.light.lamps > 0 || fog) {
-      for (const ship of this.ships) this.shipLights(ship, frame);
+      for (const ship of this.ships) this.shipLights(ship, frame, bodies[ship.body]);
       this.tugs.forEach(({ group, lamps }, i) => {
         const tows = frame.tugs[i]?.order === "pull";
         if (group.visible) this.glow(group, tows ? lamps.tows : lamps.under_way, 1);
@@ -918,9 +918,10 @@ export class Picture {
     this.glows.end();
   }
 
-  private shipLights({ group, body, index, lamps }: Ship, frame: Frame): void {
+  private shipLights(ship: Ship, frame: Frame, now: BodyNow | null | undefined): void {
+    const { group, body, index, lamps } = ship;
     if (!group.visible || !this.hello) return;
-    const conduct = body < 0 ? "under_way" : conductOf(body, index, this.hello, frame);
+    const conduct = body < 0 || !now ? "under_way" : conductOf(body, index, this.hello, frame, now);
     this.glow(group, lamps[conduct], 1);
   }
 
@@ -969,6 +970,7 @@ export class Picture {
         if (!now) return [];
         const { arrangement, group } = ship;
         const info = ship.body >= 0 ? frame.vessels[ship.index] : undefined;
+        const eyes = frame.eyes?.body === ship.body ? frame.eyes : undefined;
         const ahead = now[3] * Math.cos(now[2]) + now[4] * Math.sin(now[2]);
         const azimuths = info?.azimuths ?? [];
         // Azimuth units wash where they point; astern of her counts.
@@ -982,7 +984,7 @@ export class Picture {
             heading_rad: now[2],
             length_m: arrangement.length_m,
             beam_m: arrangement.beam_m,
-            speed_mps: info?.water_mps[0] ?? ahead,
+            speed_mps: (eyes ?? info)?.water_mps[0] ?? ahead,
             wash,
             away: Math.hypot(group.position.x - x, group.position.z - z),
           },

@@ -261,7 +261,8 @@ export class Helm implements Group {
   private speedKeeper(vessel: string) {
     const figure = h("output", { class: "wanted", "aria-label": "Speed to keep" }, "–");
     let wanted_kn: number | null = null;
-    const ahead_kn = () => Math.round(toKnots(this.now?.ground_mps[0] ?? 0) * 2) / 2;
+    // The order is about the speed through the water, not over ground: in a stream she must not begin to slow down.
+    const ahead_kn = () => Math.round(toKnots(this.now?.water_mps[0] ?? 0) * 2) / 2;
     const change = (by: number) => () => {
       wanted_kn = (wanted_kn ?? ahead_kn()) + by;
       if (this.now?.speed_order_mps !== null)

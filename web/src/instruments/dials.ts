@@ -1,9 +1,10 @@
 /** The dials of the conning display: OpenBridge's instruments, with what they show of a vessel. */
 import type { BodyNow, Frame, VesselInfo, VesselNow } from "../protocol";
-import { h } from "../ui/dom";
-import { rateOfTurn, toDegrees, toKnots } from "../units";
+import { h, setText } from "../ui/dom";
+import { rateOfTurn, toDegrees } from "../units";
 import { inSteps, instrument } from "./instrument";
 import { beaufort, currentArrows } from "./scales";
+import { FIGURES_KN, LEAST_SCALE, speedShown } from "./speed_scale";
 
 /** What the page knows of a vessel at a tick. */
 export interface Sight {
@@ -26,8 +27,6 @@ const NO_COURSE_MPS = 0.02;
 const TURN = { ship: 30, tug: 90, beyond: 1.2 };
 /** The letters N, E, S and W have room on a compass of this size [px]. */
 const LETTERS_FROM_PX = 140;
-/** Ends of the scale of the speed [kn]. */
-const SPEED_KN = { astern: -5, ahead: 15 };
 
 const priority = ({ mine }: Sight) => (mine ? "enhanced" : "regular");
 const degrees = (rad: number) => inSteps(toDegrees(rad), 0.1);
@@ -108,21 +107,26 @@ export function engine(): Dial {
 }
 
 export function speed(): Dial {
+  let scale = LEAST_SCALE;
   const { root, show } = instrument("obc-speed-gauge", {
-    minSpeed: SPEED_KN.astern,
-    maxSpeed: SPEED_KN.ahead,
-    tickmarkInterval: 5,
+    tickmarkInterval: FIGURES_KN,
     showLabels: true,
     tickmarkStyle: "enhanced",
   });
+  const name = h("span", { class: "dial-name", "aria-hidden": "true" });
+  const framed = frameOf("speed", root);
+  framed.append(name);
   return {
-    root: frameOf("speed", root),
+    root: framed,
     show: (sight) => {
-      const ordered = sight.now.speed_order_mps;
-      const ahead = toKnots(sight.now.ground_mps[0]);
+      const shown = speedShown(sight.now, scale);
+      ({ scale } = shown);
+      setText(name, shown.name);
       show({
-        speed: inSteps(Math.max(SPEED_KN.astern, Math.min(SPEED_KN.ahead, ahead)), 0.05),
-        setpoint: ordered === null ? undefined : inSteps(toKnots(ordered), 0.05),
+        minSpeed: scale.astern_kn,
+        maxSpeed: scale.ahead_kn,
+        speed: shown.now_kn,
+        setpoint: shown.order_kn ?? undefined,
         priority: priority(sight),
       });
     },

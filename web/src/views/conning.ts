@@ -15,7 +15,7 @@ import {
   turn,
 } from "../instruments/dials";
 import type { Live } from "../live";
-import type { Frame, Hello, VesselInfo } from "../protocol";
+import type { Frame, Hello, VesselInfo, VesselNow } from "../protocol";
 import { h, setAttribute, setClass, setText } from "../ui/dom";
 import { fixed, heading, percent, rateOfTurn, relative, sided, toKnots, wrapped } from "../units";
 import type { View } from "./view";
@@ -65,6 +65,12 @@ const lateral = (mps: number): string => {
 const along = (mps: number): string =>
   `${fixed(Math.abs(toKnots(mps)), 2)}${Math.abs(mps) < STILL.mps ? "" : mps < 0 ? " ▼" : " ▲"}`;
 
+/** While a speed is ordered: the speed that the order is about, and the order [kn]. */
+const throughWater = ({ water_mps, speed_order_mps }: VesselNow): string =>
+  speed_order_mps === null
+    ? ""
+    : `through water ${fixed(toKnots(water_mps[0]), 1)}, order ${fixed(toKnots(speed_order_mps), 1)}`;
+
 const share = (value: number): string =>
   value === 0 ? "0 %" : `${value < 0 ? "P" : "S"} ${percent(Math.abs(value))}`;
 
@@ -103,7 +109,11 @@ class Display {
         "div",
         { class: "ends-row" },
         this.figure("Bow m/s", ({ now }) => [lateral(now.bow_mps)], "strong"),
-        this.figure("Ahead kn", ({ now }) => [along(now.ground_mps[0])], "strong"),
+        this.figure(
+          "Ahead kn",
+          ({ now }) => [along(now.ground_mps[0]), throughWater(now)],
+          "strong",
+        ),
         this.figure("Stern m/s", ({ now }) => [lateral(now.stern_mps)], "strong"),
       ),
       h("div", { class: "gear" }, ...this.gear(), this.turn()),
@@ -234,10 +244,11 @@ export class Conning implements View {
     }
     const mine = this.live.mine({ vessel: info.name });
     this.display.show({ info, now, body, frame, mine }, hello);
+    const water = throughWater(now);
     setAttribute(
       this.display.root,
       "aria-label",
-      `Conning display: heading ${heading(body[2])}, rudder ${sided(now.rudder.now_rad)}, shaft ${fixed(now.shaft.now * 100, 0)} per cent, ahead ${fixed(toKnots(now.ground_mps[0]), 1)} knots`,
+      `Conning display: heading ${heading(body[2])}, rudder ${sided(now.rudder.now_rad)}, shaft ${fixed(now.shaft.now * 100, 0)} per cent, ahead ${fixed(toKnots(now.ground_mps[0]), 1)} knots over ground${water && `, ${water} knots`}`,
     );
   }
 }

@@ -13,8 +13,8 @@ impl Session {
     /// and no instrument is frozen. The person's frame leaves out floating bodies beyond the visibility, with their
     /// contacts and distances. The instructor sees everything. Everybody sees the chart, the structures and the data of
     /// instruments and radio: the motion of the own ship, the berth, orders to tugs, lines. The pilot or master of a
-    /// ship with frozen instruments sees what the instruments show. Only the instructor is told that instruments are
-    /// frozen.
+    /// ship with frozen instruments gets what the instruments show, and her true motion for the view out of the window.
+    /// Only the instructor is told that instruments are frozen.
     #[must_use]
     pub fn in_fog(&self, frame: &Frame, role: &Role) -> Option<Frame> {
         if *role == Role::Instructor {

@@ -93,6 +93,7 @@ pub(crate) fn frame(now: &Now, cast: &Cast, info: &Info, at_ms: u64, run: RunSta
         at_ms,
         run,
         bodies: bodies.collect(),
+        eyes: None,
         vessels,
         fenders,
         contacts: contacts.to_vec(),
