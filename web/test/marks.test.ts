@@ -134,6 +134,11 @@ describe("figures", () => {
       "Bow 34.2 m off, 0.12 m/s closing; stern 0.4 m pressed in, 0.03 m/s opening",
       "Wind 19 kn from 180°; 3.3 m under the keel",
     ]);
+    // The row above the picture has the rest.
+    expect(figures(frame(berth, 0), hello, 0, 0, true)).toEqual([
+      "Bow 34.2 m off, 0.12 m/s closing; stern 0.4 m pressed in, 0.03 m/s opening",
+    ]);
+    expect(figures(frame(null), hello, 0, 0, true)).toEqual([]);
     const past = { ...berth, stern: "no_fender" };
     expect(figures(frame(past, 0), hello, 0)[1]).toContain("stern 0.4 m behind the fender line");
     const there = { ...berth, stern_m: -0.04 };

@@ -191,6 +191,8 @@ export function figures(
   vessel: number,
   /** The ship that is berthed: that of a tug. */
   ship = vessel,
+  /** Where the page shows the motion of this vessel beside the picture: only the distances at the berth. */
+  berthOnly = false,
 ): string[] {
   const now = frame.vessels[vessel];
   const body = frame.bodies[hello.vessels[vessel]?.body ?? -1];
@@ -204,14 +206,11 @@ export function figures(
   const first = `${heading(body[2])}, ${rate}; ${speeds(ahead, starboard)}`;
   const berth = frame.vessels[ship]?.berth ?? null;
   const last = around(frame, now.under_keel_m);
-  if (!berth) return [first, last];
+  if (!berth) return berthOnly ? [] : [first, last];
   const end = (name: string, at: BerthEnd, m: number, mps: number) =>
     `${name} ${off(at, m)}, ${Math.abs(mps) < 0.005 ? "still" : `${fixed(Math.abs(mps), 2)} m/s ${mps < 0 ? "opening" : "closing"}`}`;
-  return [
-    first,
-    `${ship === vessel ? "" : `${spoken(hello.vessels[ship]?.name ?? "")}: `}${end(ship === vessel ? "Bow" : "bow", berth.bow, berth.bow_m, berth.bow_mps)}; ${end("stern", berth.stern, berth.stern_m, berth.stern_mps)}`,
-    last,
-  ];
+  const ends = `${ship === vessel ? "" : `${spoken(hello.vessels[ship]?.name ?? "")}: `}${end(ship === vessel ? "Bow" : "bow", berth.bow, berth.bow_m, berth.bow_mps)}; ${end("stern", berth.stern, berth.stern_m, berth.stern_mps)}`;
+  return berthOnly ? [ends] : [first, ends, last];
 }
 
 /** Labels of forces: what a fender or a line bears, and what a tug does. */

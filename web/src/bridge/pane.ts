@@ -364,6 +364,17 @@ export class Pane {
   /** Right and lower edge of the words over the picture [px]. */
   private wordsTo: Pair = [0, 0];
 
+  /** The figures over the picture. The row above the picture has the motion of the page's own vessel already, unless `all`. */
+  private figureText(frame: Frame, hello: Hello, all: boolean): string {
+    const ofEye = this.look.vessel;
+    const vessel = hello.vessels[ofEye] ? ofEye : this.live.ship();
+    const isOwn = vessel === this.live.conned();
+    const lines = figures(frame, hello, vessel, this.live.ship(), isOwn && !all);
+    if (!isOwn && lines[0] !== undefined)
+      lines[0] = `${spoken(hello.vessels[vessel]?.name ?? "")}: ${lines[0]}`;
+    return lines.join("\n");
+  }
+
   private measureWords(): void {
     const now_ms = performance.now();
     if (now_ms - this.measured_ms < MEASURED_EVERY_MS) return;
@@ -397,9 +408,8 @@ export class Pane {
       span.style.top = `${label.y.toFixed(1)}px`;
     });
     if (shown) {
-      const { vessel: ofEye } = this.look;
-      const vessel = hello.vessels[ofEye] ? ofEye : this.live.ship();
-      setText(this.figures, figures(frame, hello, vessel, this.live.ship()).join("\n"));
+      setText(this.figures, this.figureText(frame, hello, this.asked === "alone"));
+      setClass(this.figures, "hidden", this.figures.textContent === "");
     }
   }
 
@@ -691,14 +701,25 @@ export class Pane {
     const width = Math.max(1280, Math.min(1920, 2 * canvas.clientWidth));
     const height = Math.round((width * canvas.clientHeight) / Math.max(1, canvas.clientWidth));
     const still = picture.still(width, height, this.look, performance.now());
-    if (this.look.marks)
-      writeInto(still, canvas, [this.figures, ...(this.labels.children as Iterable<HTMLElement>)]);
+    if (this.look.marks) this.write(still);
     const blob = await pngOf(still);
     if (!blob) {
       this.around.say("The browser made no picture of this view.");
       return;
     }
     this.keep(blob, this.look.eye, "png");
+  }
+
+  /** Writes the marks into a picture that is saved, with all figures: the picture has no row of motion above it. */
+  private write(still: HTMLCanvasElement): void {
+    const { hello, frame } = this.live;
+    if (hello && frame) setText(this.figures, this.figureText(frame, hello, true));
+    setClass(this.figures, "hidden", this.figures.textContent === "");
+    writeInto(still, this.canvas, [
+      this.figures,
+      ...(this.labels.children as Iterable<HTMLElement>),
+    ]);
+    this.drawLabels();
   }
 
   /** Hands a file to the browser, which saves it. */
