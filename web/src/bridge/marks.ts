@@ -89,19 +89,25 @@ function buoy(feature: ChartInfo, at: Pair, layers: Colour[], to: Solids): void 
   else layered(at, [0.7, 3.7], (share) => 0.75 - 0.4 * share, layers, to);
   to.post(above(at, 3.5), above(at, BUOY_LIGHT_M - 0.35), 0.07, 0x33383b, { sides: 5 });
   to.post(above(at, BUOY_LIGHT_M - 0.35), above(at, BUOY_LIGHT_M), 0.16, 0x30363a);
-  topmark(feature, at, 4.15, to);
+  topmark(feature, at, 4.15, to, layers[0]);
 }
 
-function topmark({ meaning, side }: ChartInfo, at: Pair, foot: number, to: Solids): void {
+/** `own`: the mark's own colour, which lateral topmarks have: red is to port in region A, to starboard in region B. */
+function topmark(
+  { meaning, side }: ChartInfo,
+  at: Pair,
+  foot: number,
+  to: Solids,
+  own: Colour = 0xdddddd,
+): void {
   const black = number(COLOURS.mark_black);
   const cone = (low: number, up: boolean, colour: Colour) =>
     to.post(above(at, low), above(at, low + 0.65), up ? 0.45 : 0.02, colour, {
       sides: 12,
       upper_m: up ? 0.02 : 0.45,
     });
-  if (side === "port")
-    to.post(above(at, foot), above(at, foot + 0.6), 0.36, number(RED), { sides: 14 });
-  else if (side === "starboard") cone(foot, true, number(GREEN));
+  if (side === "port") to.post(above(at, foot), above(at, foot + 0.6), 0.36, own, { sides: 14 });
+  else if (side === "starboard") cone(foot, true, own);
   else if (meaning === "safe_water") to.ball([...at, foot + 0.4], 0.4, number(RED), 5);
   else if (meaning === "isolated_danger")
     for (const up of [0.35, 1.1]) to.ball([...at, foot + up], 0.35, black, 5);
@@ -131,7 +137,7 @@ function beacon(feature: ChartInfo, at: Pair, layers: Colour[], to: Solids): voi
   layered(at, [3.4, 8], (share) => 1.15 - 0.35 * share, layers, to);
   to.post(above(at, 8), above(at, 8.15), 1.25, 0xd8d8d4, { sides: 14 });
   to.post(above(at, 8.15), above(at, BEACON_LIGHT_M), 0.42, 0x2c3338, { sides: 10 });
-  topmark(feature, at, BEACON_LIGHT_M + 0.2, to);
+  topmark(feature, at, BEACON_LIGHT_M + 0.2, to, layers[0]);
 }
 
 function tower(at: Pair, to: Solids): void {
