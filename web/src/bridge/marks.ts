@@ -1,5 +1,6 @@
 /** Buoys, beacons and leading marks by IALA's colours, shapes and topmarks, at sizes that are usual at sea. */
 import { bands, formOf } from "../draw/buoys";
+import { length, minus } from "../geometry";
 import type { ChartInfo, Pair } from "../protocol";
 import { type Colour, Solids, type Spot } from "./solids";
 
@@ -24,6 +25,33 @@ export const lampHeight = (feature: ChartInfo): number =>
 
 /** Buoys rise with the water; beacons and lights stand on the ground. */
 export const floats = ({ kind }: ChartInfo): boolean => kind === "buoy";
+
+/** A light stands no farther from the buoy or beacon that carries the light: charts round places [m]. */
+const CARRIED_M = 2;
+
+/**
+ * The buoy or beacon that carries each light. In charts of S-57 the light of a mark is a feature of its own at the place of the
+ * mark; a light without a mark stands on a tower.
+ */
+export function carriersOf(chart: ChartInfo[]): Map<ChartInfo, ChartInfo> {
+  const placed = (kinds: ChartInfo["kind"][]) =>
+    chart.flatMap((feature): { feature: ChartInfo; at: Pair }[] => {
+      const at = feature.shape === "point" && kinds.includes(feature.kind) && feature.lines[0]?.[0];
+      return at ? [{ feature, at }] : [];
+    });
+  const marks = placed(["buoy", "beacon"]);
+  const carriers = new Map<ChartInfo, ChartInfo>();
+  for (const light of placed(["light"])) {
+    let nearest_m = CARRIED_M;
+    for (const { feature, at } of marks) {
+      const off_m = length(minus(at, light.at));
+      if (off_m > nearest_m) continue;
+      nearest_m = off_m;
+      carriers.set(light.feature, feature);
+    }
+  }
+  return carriers;
+}
 
 /** Draws a mark at a place [north, east] about the origin. */
 export function mark(feature: ChartInfo, at: Pair, to: Solids): void {

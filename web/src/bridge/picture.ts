@@ -33,7 +33,7 @@ import type { Placed } from "./labels";
 import { MOST_TREES, cut, land } from "./land";
 import { type Light, PALETTE_SUNS, density, lightOf } from "./light";
 import type { Look } from "./look";
-import { floats, lampHeight, mark } from "./marks";
+import { carriersOf, floats, lampHeight, mark } from "./marks";
 import { type Shared, paintwork } from "./paintwork";
 import {
   type Label,
@@ -61,7 +61,7 @@ import { clamp, onEarth, turned } from "../geometry";
 import { ghostAt, ghostText } from "../ghost";
 import { type Live, isOfTug } from "../live";
 import type { PaletteName } from "../palette";
-import type { BodyNow, Frame, Hello, LineInfo, LineNow, Pair } from "../protocol";
+import type { BodyNow, ChartInfo, Frame, Hello, LineInfo, LineNow, Pair } from "../protocol";
 import { tugOutline, tugPlace } from "../vector_tug";
 
 /** Picture of a vessel, or of a ship that passes. */
@@ -137,6 +137,8 @@ export class Picture {
   private ground = new Group();
   /** Level of the water above datum [m]. */
   private water_m = 0;
+  /** The buoy or beacon that carries each light. */
+  private carriers = new Map<ChartInfo, ChartInfo>();
   /** Heights of the decks of fixed bodies above datum [m]. */
   private decks: number[] = [];
   /** Outlines of the decks of fixed bodies, in the body's frame. */
@@ -315,10 +317,11 @@ export class Picture {
       this.options.cheap ? MOST_TREES / 4 : MOST_TREES,
     );
     for (const mesh of meshes) this.ground.add(mesh);
+    this.carriers = carriersOf(hello.chart);
     const [afloat, ashore] = [new Solids(), new Solids()];
     for (const feature of hello.chart) {
       const at = feature.lines[0]?.[0];
-      if (at && feature.shape === "point")
+      if (at && feature.shape === "point" && !this.carriers.has(feature))
         mark(
           feature,
           [at[0] - this.origin[0], at[1] - this.origin[1]],
@@ -955,14 +958,15 @@ export class Picture {
     }
   }
 
-  private chartLight(feature: Hello["chart"][number], t_s: number): void {
+  private chartLight(feature: ChartInfo, t_s: number): void {
     const at = feature.lines[0]?.[0];
     const isMark = feature.kind === "buoy" || feature.kind === "beacon" || feature.kind === "light";
     if (!at || !isMark || feature.shape !== "point") return;
     // A mark of which the chart gives no character has no light.
     if (feature.kind !== "light" && !feature.character) return;
     if (!isLit(feature.character ?? "", feature.period_s, t_s)) return;
-    const up = lampHeight(feature) - (floats(feature) ? 0 : this.water_m);
+    const on = this.carriers.get(feature) ?? feature;
+    const up = lampHeight(on) - (floats(on) ? 0 : this.water_m);
     const [x, y, z] = toPicture(this.origin, at, up);
     const { x: ex, z: ez } = this.camera.position;
     const bearing = Math.atan2(ex - x, -(ez - z));
