@@ -52,6 +52,11 @@ pub struct Hello<'a> {
     /// The berth to which the docking board measures distances.
     pub berth: Option<BerthInfo>,
     pub depth_m: Option<f64>,
+    /// A level above datum that the water of the run does not exceed, waves apart (m).
+    pub highest_water_m: f64,
+    /// Height above datum of the level of high water from which the chart gives clearances (m); `null` if the scenario
+    /// does not give the level.
+    pub clearance_datum_m: Option<f64>,
     /// The harmonics of the run's waves; empty without waves.
     #[cfg_attr(test, ts(type = "Wave[]"))]
     pub sea: &'a [[f64; 5]],
@@ -298,7 +303,7 @@ pub struct ChartInfo {
     pub depth_m: Option<f64>,
     /// The greatest depth of an area of depth (m).
     pub deepest_m: Option<f64>,
-    /// Height of a bridge or an overhead cable above the water (m).
+    /// Height of a bridge or an overhead cable above the level of high water of the chart (m).
     pub clearance_m: Option<f64>,
     /// Colour of a buoy, beacon or light.
     #[cfg_attr(test, ts(type = "MarkColour | null"))]

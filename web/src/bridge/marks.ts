@@ -1,5 +1,7 @@
 /** Buoys, beacons and leading marks by IALA's colours, shapes and topmarks, at sizes that are usual at sea. */
 import { bands, formOf } from "../draw/buoys";
+import { QUAY_M } from "./berth";
+import type { Heights } from "./heights";
 import { length, minus } from "../geometry";
 import type { ChartInfo, Pair } from "../protocol";
 import { type Colour, Solids, type Spot } from "./solids";
@@ -15,13 +17,21 @@ const COLOURS = {
 };
 const number = (colour: string): Colour => Number.parseInt(colour.slice(1), 16);
 
-/** Height of the light of a buoy and of a beacon above the water [m]. */
+/** Height of the light of a buoy above the water; of a beacon and of a tower above datum, where tides are small [m]. */
 export const BUOY_LIGHT_M = 5.2;
 export const BEACON_LIGHT_M = 9.5;
+const TOWER_LIGHT_M = 14;
+/** How far below datum beacons and towers reach [m]. */
+const FOOT_M = -3;
 
-/** Height of a mark's light above the water [m]. */
-export const lampHeight = (feature: ChartInfo): number =>
-  feature.kind === "buoy" ? BUOY_LIGHT_M : feature.kind === "beacon" ? BEACON_LIGHT_M : 14;
+/** How much higher than where tides are small beacons and towers stand: the water never covers them [m]. */
+export const riseOf = ({ quay_m }: Heights): number => quay_m - QUAY_M;
+
+/** Height of a mark's light above the water, or above datum if the mark stands on the ground [m]. */
+export function lampHeight({ kind }: ChartInfo, rise_m: number): number {
+  if (kind === "buoy") return BUOY_LIGHT_M;
+  return rise_m + (kind === "beacon" ? BEACON_LIGHT_M : TOWER_LIGHT_M);
+}
 
 /** Buoys rise with the water; beacons and lights stand on the ground. */
 export const floats = ({ kind }: ChartInfo): boolean => kind === "buoy";
@@ -53,12 +63,12 @@ export function carriersOf(chart: ChartInfo[]): Map<ChartInfo, ChartInfo> {
   return carriers;
 }
 
-/** Draws a mark at a place [north, east] about the origin. */
-export function mark(feature: ChartInfo, at: Pair, to: Solids): void {
+/** Draws a mark at a place [north, east] about the origin; `rise_m`: how much higher what stands on the ground is. */
+export function mark(feature: ChartInfo, at: Pair, to: Solids, rise_m = 0): void {
   const layers = bands(feature, COLOURS).map(number);
   if (feature.kind === "buoy") buoy(feature, at, layers, to);
-  else if (feature.kind === "beacon") beacon(feature, at, layers, to);
-  else if (feature.kind === "light") tower(at, to);
+  else if (feature.kind === "beacon") beacon(feature, at, layers, to, rise_m);
+  else if (feature.kind === "light") tower(at, to, rise_m);
 }
 
 const above = ([n, e]: Pair, up: number): Spot => [n, e, up];
@@ -160,18 +170,20 @@ function topmark(
 }
 
 /** A round tower of stone or steel on a base. */
-function beacon(feature: ChartInfo, at: Pair, layers: Colour[], to: Solids): void {
-  to.post(above(at, -3), above(at, 3.4), 2.6, 0x8b8880, { sides: 16, upper_m: 2.2 });
-  layered(at, [3.4, 8], (share) => 1.15 - 0.35 * share, layers, to);
-  to.post(above(at, 8), above(at, 8.15), 1.25, 0xd8d8d4, { sides: 14 });
-  to.post(above(at, 8.15), above(at, BEACON_LIGHT_M), 0.42, 0x2c3338, { sides: 10 });
-  topmark(feature, at, BEACON_LIGHT_M + 0.2, to, layers[0]);
+function beacon(feature: ChartInfo, at: Pair, layers: Colour[], to: Solids, rise_m: number): void {
+  const up = (height_m: number) => above(at, rise_m + height_m);
+  to.post(above(at, FOOT_M), up(3.4), 2.6, 0x8b8880, { sides: 16, upper_m: 2.2 });
+  layered(at, [rise_m + 3.4, rise_m + 8], (share) => 1.15 - 0.35 * share, layers, to);
+  to.post(up(8), up(8.15), 1.25, 0xd8d8d4, { sides: 14 });
+  to.post(up(8.15), up(BEACON_LIGHT_M), 0.42, 0x2c3338, { sides: 10 });
+  topmark(feature, at, rise_m + BEACON_LIGHT_M + 0.2, to, layers[0]);
 }
 
-function tower(at: Pair, to: Solids): void {
-  to.post(above(at, 0), above(at, 3), 2.4, 0x8b8880, { sides: 16 });
-  layered(at, [3, 12.6], (share) => 1.6 - 0.5 * share, [0xe6e4dd], to);
-  to.post(above(at, 12.6), above(at, 12.85), 1.8, 0x4b5154, { sides: 16 });
-  to.post(above(at, 12.85), above(at, 14.6), 0.85, 0x2a3136, { sides: 12 });
-  to.post(above(at, 14.6), above(at, 15.6), 1.05, 0x8c2b24, { sides: 12, upper_m: 0.1 });
+function tower(at: Pair, to: Solids, rise_m: number): void {
+  const up = (height_m: number) => above(at, rise_m + height_m);
+  to.post(above(at, FOOT_M), up(3), 2.4, 0x8b8880, { sides: 16 });
+  layered(at, [rise_m + 3, rise_m + 12.6], (share) => 1.6 - 0.5 * share, [0xe6e4dd], to);
+  to.post(up(12.6), up(12.85), 1.8, 0x4b5154, { sides: 16 });
+  to.post(up(12.85), up(14.6), 0.85, 0x2a3136, { sides: 12 });
+  to.post(up(14.6), up(15.6), 1.05, 0x8c2b24, { sides: 12, upper_m: 0.1 });
 }

@@ -20,12 +20,13 @@ import {
 import { type Arrangement, type Vessel, arrangementOf, fairleadHeight } from "./arrangement";
 import { type Attitude, LEVEL, aim, fixedIn, stand } from "./aim";
 import { type Triple, aboard, toPicture } from "./axes";
-import { BIGHT_M, QUAY_M, bollard, deckHeight, fixedParts, isInside, quay, quaysOf } from "./berth";
+import { BIGHT_M, bollard, fixedParts, isInside, quay, quaysOf } from "./berth";
 import { PIECES, catenary, draped, weightOf } from "./catenary";
 import { type Seat, seatAtBollard, seatOn } from "./eyes";
 import { Fenders, geometryOf, middleOf } from "./fenders";
 import type { Paint } from "./fittings";
 import { Headset } from "./headset";
+import { type Heights, deckHeight, endsOn, heightsOf, knownQuays } from "./heights";
 import { type Block, blocksOf, hides } from "./hidden";
 import { Glows } from "./glows";
 import { type Lamp, type LampColour, atAnchor, bearingFrom, isSeen, underWay } from "./lamps";
@@ -33,7 +34,7 @@ import type { Placed } from "./labels";
 import { MOST_TREES, cut, land } from "./land";
 import { type Light, PALETTE_SUNS, density, lightOf } from "./light";
 import type { Look } from "./look";
-import { carriersOf, floats, lampHeight, mark } from "./marks";
+import { carriersOf, floats, lampHeight, mark, riseOf } from "./marks";
 import { type Shared, paintwork } from "./paintwork";
 import {
   type Label,
@@ -139,6 +140,7 @@ export class Picture {
   private water_m = 0;
   /** The buoy or beacon that carries each light. */
   private carriers = new Map<ChartInfo, ChartInfo>();
+  private heights: Heights = heightsOf(0, []);
   /** Heights of the decks of fixed bodies above datum [m]. */
   private decks: number[] = [];
   /** Outlines of the decks of fixed bodies, in the body's frame. */
@@ -249,6 +251,7 @@ export class Picture {
       : [0, 0];
     this.ropes.room(hello.lines.length + hello.anchors.length + hello.tugs.length);
     this.sea.sea(hello.sea, this.origin);
+    this.heights = heightsOf(hello.highest_water_m, knownQuays(hello));
     this.decks = hello.bodies.map((_, i) => this.deckOf(hello, i));
     this.decked = hello.bodies.map(({ fixed, outline }, i) =>
       !fixed ? [] : outline.length > 0 ? [outline] : this.quays(hello, i),
@@ -265,7 +268,7 @@ export class Picture {
       const vessel = hello.vessels.findIndex(({ body }) => body === i);
       if (fixed) {
         const parts = new Solids();
-        const deck_m = this.decks[i] ?? QUAY_M;
+        const deck_m = this.decks[i] ?? this.heights.quay_m;
         if (outline.length > 0) fixedParts(outline, deck_m, cut, parts);
         else for (const ring of this.decked[i] ?? []) quay(ring, deck_m, cut, parts);
         const mesh = new Mesh(geometryOf(parts), concrete);
@@ -309,14 +312,15 @@ export class Picture {
       const on = bodies[i];
       return on ? rings.map((ring) => ring.map((at) => onEarth(on, at))) : [];
     });
-    const { meshes } = land(
+    const { ashore: standing, afloat: floating } = land(
       hello,
-      fixed,
-      this.origin,
+      { fixed, origin: this.origin, heights: this.heights },
       this.shared,
       this.options.cheap ? MOST_TREES / 4 : MOST_TREES,
     );
-    for (const mesh of meshes) this.ground.add(mesh);
+    for (const mesh of standing) this.ground.add(mesh);
+    for (const mesh of floating) this.built.add(mesh);
+    const rise_m = riseOf(this.heights);
     this.carriers = carriersOf(hello.chart);
     const [afloat, ashore] = [new Solids(), new Solids()];
     for (const feature of hello.chart) {
@@ -326,6 +330,7 @@ export class Picture {
           feature,
           [at[0] - this.origin[0], at[1] - this.origin[1]],
           floats(feature) ? afloat : ashore,
+          rise_m,
         );
     }
     for (const [marks, on] of [
@@ -339,15 +344,13 @@ export class Picture {
   }
 
   /** Height of the deck of a fixed body above datum [m]. */
-  private deckOf({ bollards, lines, fenders }: Hello, body: number): number {
-    const ends = lines.flatMap(({ end }) =>
-      end && "body" in end && end.body === body ? [end.above_water_m] : [],
-    );
+  private deckOf(hello: Hello, body: number): number {
     return deckHeight(
-      [...bollards.filter((each) => each.body === body).map((b) => b.above_water_m), ...ends],
-      fenders
+      endsOn(hello, body),
+      hello.fenders
         .filter((fender) => fender.body === body && !fender.floating)
         .map((fender) => middleOf(fender) + fender.height_m / 2),
+      this.heights.quay_m,
     );
   }
 
@@ -411,7 +414,7 @@ export class Picture {
   /** Height of the deck of a body at a place above its water, or above datum if the body is fixed [m]. */
   private deck(body: number, [forward]: Pair): number {
     const ship = this.ships.find((each) => each.body === body);
-    return ship ? ship.arrangement.hull.deck_m(forward) : (this.decks[body] ?? QUAY_M);
+    return ship ? ship.arrangement.hull.deck_m(forward) : (this.decks[body] ?? this.heights.quay_m);
   }
 
   /** Height of the foot of a bollard; `height_m`: where lines hold on it, 0 if the scenario gives no height [m]. */
@@ -752,7 +755,7 @@ export class Picture {
       ? ship.kind === "tug"
         ? ship.mast_m
         : ship.deck_m
-      : (this.decks[pusher] ?? QUAY_M) - this.water_m;
+      : (this.decks[pusher] ?? this.heights.quay_m) - this.water_m;
     return Math.max(deck_m, top_m) + ARROW_OVER_M;
   }
 
@@ -864,7 +867,7 @@ export class Picture {
       const { x, z } = this.spot.set(...at).applyMatrix4(toQuay);
       return rings.some((ring) => isInside(ring, [-z, x]));
     };
-    const top_m = (this.decks[end.body] ?? QUAY_M) - this.water_m + radius_m;
+    const top_m = (this.decks[end.body] ?? this.heights.quay_m) - this.water_m + radius_m;
     return draped(points, isOverQuay, top_m);
   }
 
@@ -884,7 +887,11 @@ export class Picture {
     if ("place_m" in end)
       return [
         from,
-        toPicture(this.origin, end.place_m, (end.above_datum_m || QUAY_M + BIGHT_M) - this.water_m),
+        toPicture(
+          this.origin,
+          end.place_m,
+          (end.above_datum_m || this.heights.quay_m + BIGHT_M) - this.water_m,
+        ),
       ];
     const on = this.bodies[end.body];
     if (!on) return null;
@@ -966,7 +973,7 @@ export class Picture {
     if (feature.kind !== "light" && !feature.character) return;
     if (!isLit(feature.character ?? "", feature.period_s, t_s)) return;
     const on = this.carriers.get(feature) ?? feature;
-    const up = lampHeight(on) - (floats(on) ? 0 : this.water_m);
+    const up = lampHeight(on, riseOf(this.heights)) - (floats(on) ? 0 : this.water_m);
     const [x, y, z] = toPicture(this.origin, at, up);
     const { x: ex, z: ez } = this.camera.position;
     const bearing = Math.atan2(ex - x, -(ez - z));
