@@ -1,6 +1,6 @@
 /** Heights that the view gives to land and quays: charts and many scenarios have outlines without heights. */
 import { BIGHT_M, QUAY_M, isDolphin } from "./berth";
-import type { Hello } from "../protocol";
+import type { Hello, Pair } from "../protocol";
 
 /** Heights above datum of what has no height of its own [m]. */
 export interface Heights {
@@ -8,6 +8,25 @@ export interface Heights {
   /** Level ground, which lies a step below quays. */
   ground_m: number;
 }
+
+/** A fixed body on the earth, with the height of its deck above datum [m]. */
+export interface Fixed {
+  ring: Pair[];
+  deck_m: number;
+}
+
+/** Where land and structures of a chart are drawn. */
+export interface Site {
+  fixed: Fixed[];
+  /** All places are moved by the origin. */
+  origin: Pair;
+  heights: Heights;
+  /** Level above datum from which the chart gives clearances [m]. */
+  high_water_m: number;
+}
+
+/** Quays of the chart lie a hand below decks of bodies, so that two tops at one place do not flicker [m]. */
+export const BELOW_DECKS_M = 0.05;
 
 /** A quay stands at least so high above the highest water of the run [m]. */
 const OVER_WATER_M = 2;

@@ -2,47 +2,26 @@
  * Land and structures of the chart. A chart has outlines without heights: coasts rise over a bank of stones to level ground
  * with trees, quays stand as high as fixed bodies, buildings have heights that are usual. Pontoons float.
  */
-import { InstancedMesh, Matrix4, Mesh, Quaternion, ShapeUtils, Vector2, Vector3 } from "three";
-import { CONCRETE, area2, inset, isInside, lid } from "./berth";
+import { InstancedMesh, Matrix4, Mesh, Quaternion, Vector3 } from "three";
+import { CONCRETE, area2, inset, isInside } from "./berth";
+import { BANK, BANK_FOOT_M, bankOf, block, cut, sides, width } from "./blocks";
 import { geometryOf } from "./fenders";
 import { chance } from "./fittings";
-import type { Heights } from "./heights";
+import { BELOW_DECKS_M, type Site } from "./heights";
 import { type Shared, type Surface, paintwork } from "./paintwork";
-import { type Colour, Solids, type Spot } from "./solids";
+import { Solids, type Spot } from "./solids";
+import { PONTOON_M, structures } from "./structures";
 import { minus } from "../geometry";
 import type { ChartInfo, Hello, Pair } from "../protocol";
 
-/** How far below datum the banks of coasts reach [m]. */
-const FOOT_M = -3;
-/** Breadth of a bank over its height. */
-const BANK = 7 / 6;
 /** The crest of a bank of which the chart has only a line lies so far below ground [m]. */
 const CREST_BELOW_M = 1;
-/** Quays of the chart lie a hand below decks of bodies, so that two tops at one place do not flicker [m]. */
-const BELOW_DECKS_M = 0.05;
-/** A pontoon's deck above the water, and its bottom [m]. */
-const PONTOON_M: Pair = [-1, 0.9];
 const GRASS = 0x575f43;
 const STONE = 0x77716a;
 const ASPHALT = 0x6f6d68;
 /** Trees stand no farther from the origin [m]. */
 const WOODS_M = 5000;
 export const MOST_TREES = 1600;
-
-/** Triangles of a ring with holes, as indices into all their corners one after the other. */
-export const cut = (ring: Pair[], holes: Pair[][] = []): number[][] => {
-  const points = (of: Pair[]) => of.map(([n, e]) => new Vector2(n, e));
-  return ShapeUtils.triangulateShape(points(ring), holes.map(points));
-};
-
-/** Mean width of an area: twice its area over its circumference [m]. */
-export function width(ring: Pair[]): number {
-  const around = ring.reduce((sum, a, i) => {
-    const b = ring[(i + 1) % ring.length] ?? a;
-    return sum + Math.hypot(b[0] - a[0], b[1] - a[1]);
-  }, 0);
-  return around > 0 ? Math.abs(area2(ring)) / around : 0;
-}
 
 /** Distance of a place from a ring [m]. */
 function offRing(ring: Pair[], [n, e]: Pair): number {
@@ -57,43 +36,11 @@ function offRing(ring: Pair[], [n, e]: Pair): number {
   );
 }
 
-function sides(
-  ring: Pair[],
-  over: Pair[],
-  from_m: number,
-  to_m: number,
-  colour: number,
-  to: Solids,
-) {
-  const sign = area2(ring) > 0 ? 1 : -1;
-  ring.forEach((a, i) => {
-    const k = (i + 1) % ring.length;
-    const [b, c, d] = [ring[k], over[k], over[i]];
-    if (!b || !c || !d) return;
-    const corners: Spot[] = [
-      [...a, from_m],
-      [...b, from_m],
-      [...c, to_m],
-      [...d, to_m],
-    ];
-    to.face(corners, [sign * (b[1] - a[1]), -sign * (b[0] - a[0]), 0.01], colour);
-  });
-}
-
 /** Whether a chart's quay is a fixed body of the scenario, which is drawn with its fenders. */
 function isBody(ring: Pair[], bodies: Pair[][]): boolean {
   return bodies.some((outline) =>
     ring.every((at) => outline.some((p) => Math.hypot(p[0] - at[0], p[1] - at[1]) < 0.5)),
   );
-}
-
-/** Where land is drawn. */
-export interface Site {
-  /** Outlines of the fixed bodies on the earth. */
-  fixed: Pair[][];
-  /** All places are moved by the origin. */
-  origin: Pair;
-  heights: Heights;
 }
 
 /** What stands on the ground, with heights above datum, and what floats, with heights above the water. */
@@ -110,7 +57,9 @@ interface Wood {
 }
 
 /** Land and structures of a chart. */
-export function landOf(chart: ChartInfo[], { fixed, origin, heights }: Site): Parts {
+export function landOf(chart: ChartInfo[], site: Site): Parts {
+  const { origin, heights } = site;
+  const fixed = site.fixed.map(({ ring }) => ring);
   const parts: Parts = {
     ground: new Solids(),
     built: new Solids(),
@@ -119,10 +68,6 @@ export function landOf(chart: ChartInfo[], { fixed, origin, heights }: Site): Pa
   };
   const { ground, built, afloat } = parts;
   const quay_m = heights.quay_m - BELOW_DECKS_M;
-  const block = (ring: Pair[], [from_m, to_m]: Pair, wall: Colour, top: Colour, to: Solids) => {
-    sides(ring, ring, from_m, to_m, wall, to);
-    lid(ring, cut, to_m, top, to);
-  };
   const hasArea = chart.some(({ kind, shape }) => kind === "coast" && shape === "area");
   for (const feature of chart) {
     const rings = feature.lines.map((ring) => ring.map((at) => minus(at, origin)));
@@ -146,6 +91,7 @@ export function landOf(chart: ChartInfo[], { fixed, origin, heights }: Site): Pa
         ground,
       );
   }
+  structures(chart, site, parts);
   return parts;
 }
 
@@ -158,7 +104,7 @@ export function land({ chart }: Hello, site: Site, shared: Shared, most_trees = 
   const { ground, built, afloat, woods } = landOf(chart, site);
   const mesh = (of: Solids, surface: Surface) =>
     of.triangles > 0 ? [new Mesh(geometryOf(of), paintwork(shared, surface))] : [];
-  const near = site.fixed.map((ring) => ring.map((at) => minus(at, site.origin)));
+  const near = site.fixed.map(({ ring }) => ring.map((at) => minus(at, site.origin)));
   const trees = plant(woods, near, most_trees);
   const land: Land = {
     ashore: [
@@ -173,15 +119,14 @@ export function land({ chart }: Hello, site: Site, shared: Shared, most_trees = 
 }
 
 function coast(outer: Pair[], holes: Pair[][], ground_m: number, { ground, woods }: Parts) {
-  const wide = width(outer);
-  const isMole = wide < 25;
-  const by = Math.min(BANK * (ground_m - FOOT_M), 0.45 * wide);
+  const isMole = width(outer) < 25;
+  const by = bankOf(outer, ground_m);
   const top = inset(outer, by);
   const ok =
     Math.sign(area2(top)) === Math.sign(area2(outer)) &&
     Math.abs(area2(top)) < Math.abs(area2(outer));
   const crown = ok ? top : outer;
-  sides(outer, crown, FOOT_M, ground_m, STONE, ground);
+  sides(outer, crown, BANK_FOOT_M, ground_m, STONE, ground);
   const all = [...crown, ...holes.flat()];
   for (const three of cut(crown, holes)) {
     const corners = three.flatMap((k): Spot[] => {
@@ -191,7 +136,7 @@ function coast(outer: Pair[], holes: Pair[][], ground_m: number, { ground, woods
     if (corners.length === 3) ground.face(corners, [0, 0, 1], isMole ? ASPHALT : GRASS);
   }
   for (const hole of holes)
-    sides(hole.toReversed(), hole.toReversed(), FOOT_M, ground_m, STONE, ground);
+    sides(hole.toReversed(), hole.toReversed(), BANK_FOOT_M, ground_m, STONE, ground);
   if (!isMole) woods.push({ ring: outer, area: Math.abs(area2(outer)) / 2 });
 }
 
@@ -202,7 +147,7 @@ function bank(lines: Pair[][], crest_m: number, to: Solids): void {
       const [a, b] = [line[i], line[i + 1]];
       if (!a || !b) continue;
       const long = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1;
-      const half = BANK * (crest_m - FOOT_M);
+      const half = BANK * (crest_m - BANK_FOOT_M);
       const off: Pair = [(-(b[1] - a[1]) / long) * half, ((b[0] - a[0]) / long) * half];
       to.frustum(
         [
@@ -212,7 +157,7 @@ function bank(lines: Pair[][], crest_m: number, to: Solids): void {
           [a[0] + off[0], a[1] + off[1]],
         ],
         [a, b, b, a],
-        FOOT_M,
+        BANK_FOOT_M,
         crest_m,
         STONE,
       );

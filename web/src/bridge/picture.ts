@@ -21,17 +21,26 @@ import { type Arrangement, type Vessel, arrangementOf, fairleadHeight } from "./
 import { type Attitude, LEVEL, aim, fixedIn, stand } from "./aim";
 import { type Triple, aboard, toPicture } from "./axes";
 import { BIGHT_M, bollard, fixedParts, isInside, quay, quaysOf } from "./berth";
+import { cut } from "./blocks";
 import { PIECES, catenary, draped, weightOf } from "./catenary";
 import { type Seat, seatAtBollard, seatOn } from "./eyes";
 import { Fenders, geometryOf, middleOf } from "./fenders";
 import type { Paint } from "./fittings";
 import { Headset } from "./headset";
-import { type Heights, deckHeight, endsOn, heightsOf, knownQuays } from "./heights";
+import {
+  type Fixed,
+  type Heights,
+  type Site,
+  deckHeight,
+  endsOn,
+  heightsOf,
+  knownQuays,
+} from "./heights";
 import { type Block, blocksOf, hides } from "./hidden";
 import { Glows } from "./glows";
 import { type Lamp, type LampColour, atAnchor, bearingFrom, isSeen, underWay } from "./lamps";
 import type { Placed } from "./labels";
-import { MOST_TREES, cut, land } from "./land";
+import { MOST_TREES, land } from "./land";
 import { type Light, PALETTE_SUNS, density, lightOf } from "./light";
 import type { Look } from "./look";
 import { carriersOf, floats, lampHeight, mark, riseOf } from "./marks";
@@ -47,6 +56,7 @@ import {
   lineLabel,
   measuredStrokes,
   pathStrokes,
+  resampled,
   tugLabel,
 } from "./in_picture";
 import { Ropes } from "./ropes";
@@ -54,6 +64,7 @@ import { Sea, type Wake } from "./sea";
 import { PAINTS, shipParts } from "./ship";
 import { shine, sky, skyUniforms } from "./sky";
 import { Solids, type Spot, linearOf } from "./solids";
+import { cablesOf } from "./structures";
 import { TUG_PAINT } from "./tug";
 import { sunOf } from "./sun";
 import { surface } from "./waves";
@@ -97,6 +108,9 @@ export interface Shown {
 const SLACK_N = 50;
 /** A line is at least 1.2 pixels wide, a mark 2. */
 const MARKS_NARROWER = 0.6;
+/** Overhead cables. */
+const CABLE = 0x2a2d30;
+const CABLE_RADIUS_M = 0.03;
 /** How high an arrow lies above what could hide the arrow [m]. */
 const ARROW_OVER_M = 0.7;
 /** How high the words of a measured ship stand above the water [m]. */
@@ -141,6 +155,8 @@ export class Picture {
   /** The buoy or beacon that carries each light. */
   private carriers = new Map<ChartInfo, ChartInfo>();
   private heights: Heights = heightsOf(0, []);
+  /** Overhead cables: places on the earth with heights above datum [m]. */
+  private cables: Spot[][] = [];
   /** Heights of the decks of fixed bodies above datum [m]. */
   private decks: number[] = [];
   /** Outlines of the decks of fixed bodies, in the body's frame. */
@@ -249,7 +265,6 @@ export class Picture {
     this.origin = ship
       ? [Math.round(ship[0] / 1000) * 1000, Math.round(ship[1] / 1000) * 1000]
       : [0, 0];
-    this.ropes.room(hello.lines.length + hello.anchors.length + hello.tugs.length);
     this.sea.sea(hello.sea, this.origin);
     this.heights = heightsOf(hello.highest_water_m, knownQuays(hello));
     this.decks = hello.bodies.map((_, i) => this.deckOf(hello, i));
@@ -308,13 +323,23 @@ export class Picture {
       plain,
       (body) => hello.bodies[body]?.fixed ?? true,
     );
-    const fixed = this.decked.flatMap((rings, i): Pair[][] => {
-      const on = bodies[i];
-      return on ? rings.map((ring) => ring.map((at) => onEarth(on, at))) : [];
+    const fixed = this.decked.flatMap((rings, i): Fixed[] => {
+      const [on, deck_m] = [bodies[i], this.decks[i] ?? this.heights.quay_m];
+      return on ? rings.map((ring) => ({ ring: ring.map((at) => onEarth(on, at)), deck_m })) : [];
     });
+    const site: Site = {
+      fixed,
+      origin: this.origin,
+      heights: this.heights,
+      high_water_m: hello.clearance_datum_m ?? hello.highest_water_m,
+    };
+    this.cables = cablesOf(hello.chart, site);
+    this.ropes.room(
+      hello.lines.length + hello.anchors.length + hello.tugs.length + this.cables.length,
+    );
     const { ashore: standing, afloat: floating } = land(
       hello,
-      { fixed, origin: this.origin, heights: this.heights },
+      site,
       this.shared,
       this.options.cheap ? MOST_TREES / 4 : MOST_TREES,
     );
@@ -738,6 +763,10 @@ export class Picture {
       );
       this.ropes.add(points, linearOf(0xd8b23a), 0.045);
     });
+    for (const cable of this.cables) {
+      const points = cable.map(([n, e, up]) => toPicture(this.origin, [n, e], up - this.water_m));
+      this.ropes.add(resampled(points), linearOf(CABLE), CABLE_RADIUS_M);
+    }
     this.ropes.end();
   }
 
