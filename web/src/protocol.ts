@@ -384,11 +384,14 @@ export type ChartInfo = {
   deepest_m: number | null;
   /** Height of a bridge or an overhead cable above the level of high water of the chart (m). */
   clearance_m: number | null;
-  /** Colour of a buoy, beacon or light. */
+  /** Colour of a buoy, beacon, mooring buoy or light. */
   colour: MarkColour | null;
   /** The side of the fairway on which a lateral mark is, for a ship that enters. */
   side: MarkSide | null;
-  /** What a buoy or beacon says, by IALA's system. A cardinal mark has the direction of the safe water. */
+  /**
+   * What a buoy or beacon says, by IALA's system. A cardinal mark has the direction of the safe water, a mooring buoy
+   * has `other`, and other moorings have none.
+   */
   meaning: MarkMeaning | null;
   /** Shape of the body of a buoy or beacon; `null` if the chart does not give the shape. */
   form: MarkShape | null;

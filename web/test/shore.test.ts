@@ -73,6 +73,16 @@ test("the light of an S-57 buoy or beacon is on the mark, not on a tower of its 
   expect([floats(buoy), floats(beacon), floats(alone)]).toEqual([true, false, false]);
 });
 
+test("the light of a dolphin stands over the dolphin, that of a mooring buoy floats", () => {
+  const buoy = at("mooring", [0, 0]);
+  const dolphin = { ...at("mooring", [50, 0]), meaning: null };
+  const [first, second] = [at("light", [0, 0]), at("light", [50, 0])];
+  const carriers = carriersOf([buoy, dolphin, first, second]);
+  expect([carriers.get(first), carriers.get(second)]).toEqual([buoy, dolphin]);
+  expect([floats(buoy), floats(dolphin)]).toEqual([true, false]);
+  expect([lampHeight(buoy, 2), lampHeight(dolphin, 2)]).toEqual([1.6, 6.5]);
+});
+
 test("a light belongs to the nearest of two marks, and to no area", () => {
   const [near, far] = [at("buoy", [0.4, 0]), at("beacon", [1.5, 0])];
   const light = at("light", [0, 0]);
@@ -325,13 +335,17 @@ test("a quay line is no higher than the deck of a body that stands on it", () =>
 });
 
 test("a mooring point is a dolphin above the highest water, but not on a body of the run", () => {
-  const dolphin = at("mooring", [40, 60]);
+  const dolphin = { ...at("mooring", [40, 60]), meaning: null, side: null, colour: null };
   const { built } = partsOf([dolphin], 4);
   closeTo(box(built), [
     [38.5, 41.5],
     [58.5, 61.5],
     [-9, 6],
   ]);
+  // A mooring buoy floats.
+  const buoy = partsOf([{ ...dolphin, meaning: "other", side: null, colour: "yellow" }], 4);
+  expect(buoy.built.triangles).toBe(0);
+  expect(reach(buoy.afloat)).toEqual([-0.6, 1.3]);
   const fixed = [{ ring: square(35, 55, 10), deck_m: 5 }];
   const site = { fixed, origin: [0, 0] as Pair, heights: heightsOf(4, []), high_water_m: 4 };
   expect(landOf([dolphin], site).built.triangles).toBe(0);

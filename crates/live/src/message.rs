@@ -305,13 +305,14 @@ pub struct ChartInfo {
     pub deepest_m: Option<f64>,
     /// Height of a bridge or an overhead cable above the level of high water of the chart (m).
     pub clearance_m: Option<f64>,
-    /// Colour of a buoy, beacon or light.
+    /// Colour of a buoy, beacon, mooring buoy or light.
     #[cfg_attr(test, ts(type = "MarkColour | null"))]
     pub colour: Option<&'static str>,
     /// The side of the fairway on which a lateral mark is, for a ship that enters.
     #[cfg_attr(test, ts(type = "MarkSide | null"))]
     pub side: Option<&'static str>,
-    /// What a buoy or beacon says, by IALA's system. A cardinal mark has the direction of the safe water.
+    /// What a buoy or beacon says, by IALA's system. A cardinal mark has the direction of the safe water, a mooring buoy
+    /// has `other`, and other moorings have none.
     #[cfg_attr(test, ts(type = "MarkMeaning | null"))]
     pub meaning: Option<&'static str>,
     /// Shape of the body of a buoy or beacon; `null` if the chart does not give the shape.

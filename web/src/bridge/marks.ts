@@ -21,26 +21,36 @@ const number = (colour: string): Colour => Number.parseInt(colour.slice(1), 16);
 export const BUOY_LIGHT_M = 5.2;
 export const BEACON_LIGHT_M = 9.5;
 const TOWER_LIGHT_M = 14;
+/** Height of the light of a mooring buoy above the water, and of a dolphin above the dolphin [m]. */
+const MOORING_BUOY_LIGHT_M = 1.6;
+const OVER_DOLPHIN_M = 1;
 /** How far below datum beacons and towers reach [m]. */
 const FOOT_M = -3;
 
 /** How much higher than where tides are small beacons and towers stand: the water never covers them [m]. */
 export const riseOf = ({ quay_m }: Heights): number => quay_m - QUAY_M;
 
+/** Mooring points of a chart are dolphins and mooring buoys, which alone have a mark. */
+export const isMooringBuoy = ({ kind, meaning }: ChartInfo): boolean =>
+  kind === "mooring" && meaning !== null;
+
+/** Buoys rise with the water; beacons, dolphins and lights stand on the ground. */
+export const floats = (feature: ChartInfo): boolean =>
+  feature.kind === "buoy" || isMooringBuoy(feature);
+
 /** Height of a mark's light above the water, or above datum if the mark stands on the ground [m]. */
-export function lampHeight({ kind }: ChartInfo, rise_m: number): number {
-  if (kind === "buoy") return BUOY_LIGHT_M;
-  return rise_m + (kind === "beacon" ? BEACON_LIGHT_M : TOWER_LIGHT_M);
+export function lampHeight(feature: ChartInfo, rise_m: number): number {
+  if (feature.kind === "buoy") return BUOY_LIGHT_M;
+  if (isMooringBuoy(feature)) return MOORING_BUOY_LIGHT_M;
+  if (feature.kind === "mooring") return rise_m + QUAY_M + OVER_DOLPHIN_M;
+  return rise_m + (feature.kind === "beacon" ? BEACON_LIGHT_M : TOWER_LIGHT_M);
 }
 
-/** Buoys rise with the water; beacons and lights stand on the ground. */
-export const floats = ({ kind }: ChartInfo): boolean => kind === "buoy";
-
-/** A light stands no farther from the buoy or beacon that carries the light: charts round places [m]. */
+/** A light stands no farther from the mark that carries the light: charts round places [m]. */
 const CARRIED_M = 2;
 
 /**
- * The buoy or beacon that carries each light. In charts of S-57 the light of a mark is a feature of its own at the place of the
+ * The buoy, beacon, dolphin or mooring buoy that carries each light. In charts of S-57 the light of a mark is a feature of its own at the place of the
  * mark; a light without a mark stands on a tower.
  */
 export function carriersOf(chart: ChartInfo[]): Map<ChartInfo, ChartInfo> {
@@ -49,7 +59,7 @@ export function carriersOf(chart: ChartInfo[]): Map<ChartInfo, ChartInfo> {
       const at = feature.shape === "point" && kinds.includes(feature.kind) && feature.lines[0]?.[0];
       return at ? [{ feature, at }] : [];
     });
-  const marks = placed(["buoy", "beacon"]);
+  const marks = placed(["buoy", "beacon", "mooring"]);
   const carriers = new Map<ChartInfo, ChartInfo>();
   for (const light of placed(["light"])) {
     let nearest_m = CARRIED_M;
@@ -62,6 +72,10 @@ export function carriersOf(chart: ChartInfo[]): Map<ChartInfo, ChartInfo> {
   }
   return carriers;
 }
+
+/** The colour of a mark that has one. */
+export const ownColour = (feature: ChartInfo): Colour =>
+  number(bands(feature, COLOURS)[0] ?? COLOURS.mark_white);
 
 /** Draws a mark at a place [north, east] about the origin; `rise_m`: how much higher what stands on the ground is. */
 export function mark(feature: ChartInfo, at: Pair, to: Solids, rise_m = 0): void {

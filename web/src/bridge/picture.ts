@@ -152,7 +152,7 @@ export class Picture {
   private ground = new Group();
   /** Level of the water above datum [m]. */
   private water_m = 0;
-  /** The buoy or beacon that carries each light. */
+  /** The mark that carries each light. */
   private carriers = new Map<ChartInfo, ChartInfo>();
   private heights: Heights = heightsOf(0, []);
   /** Overhead cables: places on the earth with heights above datum [m]. */

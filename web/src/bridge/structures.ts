@@ -6,6 +6,7 @@ import { CONCRETE, fixedParts, isInside } from "./berth";
 import { bankOf, block, cut } from "./blocks";
 import { Borders } from "./borders";
 import { BELOW_DECKS_M, type Site } from "./heights";
+import { isMooringBuoy, ownColour } from "./marks";
 import type { Colour, Solids, Spot } from "./solids";
 import { type Reach, normalOf, stripsAlong } from "./strips";
 import { add, dot, length, minus, nearestOn, times } from "../geometry";
@@ -28,6 +29,7 @@ const BRIDGE_THICK_M = 1.8;
 const ROAD: Colour = 0x6f6d68;
 const GIRDER: Colour = 0x8d9296;
 const PILE: Colour = 0x4a4f4e;
+const IRON: Colour = 0x23282b;
 const DECK: Colour = 0x8f8c84;
 /** A mooring point no farther from a fixed body is a part of the body [m]. */
 const ON_BODY_M = 3;
@@ -44,7 +46,8 @@ export function structures(
   const under_m = quay_m - BELOW_DECKS_M;
   const quays = bordersOf(chart, ["coast", "quay"], site);
   const pontoons = bordersOf(chart, ["pontoon"], site);
-  for (const { kind, shape, lines, clearance_m } of chart) {
+  for (const feature of chart) {
+    const { kind, shape, lines, clearance_m } = feature;
     const outer = near(lines[0] ?? []);
     const first = outer[0];
     if (!first) continue;
@@ -59,7 +62,8 @@ export function structures(
       for (const { ring } of stripsAlong(outer, (a, b) => reachOf(pontoons, a, b)))
         afloat.prism(ring, ...PONTOON_M, 0x8c8f8d, 0x9a958a);
     else if (kind === "mooring" && shape === "point") {
-      if (!fixed.some(({ ring }) => isOn(ring, first))) pile(first, quay_m, built);
+      if (isMooringBuoy(feature)) mooringBuoy(first, ownColour(feature), afloat);
+      else if (!fixed.some(({ ring }) => isOn(ring, first))) pile(first, quay_m, built);
     } else if (kind === "mooring" && shape === "area" && outer.length >= 3) {
       if (!fixed.some(({ ring }) => isOn(ring, first))) fixedParts(outer, quay_m, cut, built);
     } else if (kind === "bridge" && clearance_m !== null && shape !== "point") {
@@ -132,6 +136,12 @@ const isOn = (ring: Pair[], at: Pair): boolean =>
 function pile(at: Pair, top_m: number, to: Solids): void {
   to.post([...at, BELOW_M], [...at, top_m - 1.2], 0.8, PILE, { sides: 10, caps: false });
   to.post([...at, top_m - 1.2], [...at, top_m], 1.5, CONCRETE, { sides: 12 });
+}
+
+/** A mooring buoy: a drum with an eye. */
+function mooringBuoy(at: Pair, colour: Colour, to: Solids): void {
+  to.post([...at, -0.6], [...at, 0.9], 1.5, colour, { sides: 16 });
+  to.post([...at, 0.9], [...at, 1.3], 0.25, IRON, { sides: 8 });
 }
 
 /** A bridge, which ships see from below. */
