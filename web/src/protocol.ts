@@ -183,6 +183,13 @@ export type Hello = {
   /** The berth to which the docking board measures distances. */
   berth: BerthInfo | null;
   depth_m: number | null;
+  /** A level above datum that the water of the run does not exceed, waves apart (m). */
+  highest_water_m: number;
+  /**
+   * Height above datum of the level of high water from which the chart gives clearances (m); `null` if the scenario
+   * does not give the level.
+   */
+  clearance_datum_m: number | null;
   /** The harmonics of the run's waves; empty without waves. */
   sea: Wave[];
   /** Where and when the run begins, for the sun; `null` if the scenario gives no time. */
@@ -375,13 +382,16 @@ export type ChartInfo = {
   depth_m: number | null;
   /** The greatest depth of an area of depth (m). */
   deepest_m: number | null;
-  /** Height of a bridge or an overhead cable above the water (m). */
+  /** Height of a bridge or an overhead cable above the level of high water of the chart (m). */
   clearance_m: number | null;
-  /** Colour of a buoy, beacon or light. */
+  /** Colour of a buoy, beacon, mooring buoy or light. */
   colour: MarkColour | null;
   /** The side of the fairway on which a lateral mark is, for a ship that enters. */
   side: MarkSide | null;
-  /** What a buoy or beacon says, by IALA's system. A cardinal mark has the direction of the safe water. */
+  /**
+   * What a buoy or beacon says, by IALA's system. A cardinal mark has the direction of the safe water, a mooring buoy
+   * has `other`, and other moorings have none.
+   */
   meaning: MarkMeaning | null;
   /** Shape of the body of a buoy or beacon; `null` if the chart does not give the shape. */
   form: MarkShape | null;

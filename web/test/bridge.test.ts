@@ -5,22 +5,14 @@ import { describe, expect, test } from "vitest";
 import { LEVEL, aim, fixedIn, stand } from "../src/bridge/aim";
 import { arrangementOf, kindOf } from "../src/bridge/arrangement";
 import { aboard, toPicture } from "../src/bridge/axes";
-import {
-  BIGHT_M,
-  QUAY_M,
-  area2,
-  bollard,
-  deckHeight,
-  inset,
-  isInside,
-  quaysOf,
-} from "../src/bridge/berth";
+import { BIGHT_M, area2, bollard, inset, isInside, quaysOf } from "../src/bridge/berth";
+import { cut, width } from "../src/bridge/blocks";
 import { catenary, parameterByLength } from "../src/bridge/catenary";
 import { seatOn, vertical } from "../src/bridge/eyes";
+import { deckHeight } from "../src/bridge/heights";
 import { Fenders, faceOff, shapeOf } from "../src/bridge/fenders";
 import { breadthOf } from "../src/bridge/hull";
 import { atAnchor, bearingFrom, isSeen, lampsOf, mastheads, underWay } from "../src/bridge/lamps";
-import { cut, width } from "../src/bridge/land";
 import { density, lightOf } from "../src/bridge/light";
 import { type Look, lookOf } from "../src/bridge/look";
 import { mark } from "../src/bridge/marks";
@@ -335,9 +327,9 @@ test("each family of fenders has its shape, and the deck lies under the bollards
     expect(Math.min(...out), `${family}: mounting`).toBeGreaterThan(-1e-9);
     expect(corners.every(({ x, y, z }) => [x, y, z].every(Number.isFinite))).toBe(true);
   }
-  expect(deckHeight([4, 0, 4.5], [9])).toBeCloseTo(4 - BIGHT_M, 12);
-  expect(deckHeight([], [])).toBe(QUAY_M);
-  expect(deckHeight([0], [5.2])).toBeCloseTo(5.4, 12);
+  expect(deckHeight([4, 0, 4.5], [9], 3.5)).toBeCloseTo(4 - BIGHT_M, 12);
+  expect(deckHeight([], [], 3.5)).toBe(3.5);
+  expect(deckHeight([0], [5.2], 3.5)).toBeCloseTo(5.4, 12);
 });
 
 describe("a line", () => {

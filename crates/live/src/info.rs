@@ -58,6 +58,10 @@ pub struct Info {
     pub berth: Option<Berth>,
     /// Depth of the water (m).
     pub depth_m: Option<f64>,
+    /// The field `highest_water_m` of [`crate::message::Hello`].
+    pub highest_water_m: f64,
+    /// The field `clearance_datum_m` of [`crate::message::Hello`].
+    pub clearance_datum_m: Option<f64>,
     /// The field `sea` of [`crate::message::Hello`]: for each harmonic its amplitude (m), wave number north and east
     /// (rad/m), angular frequency (rad/s), and phase at the origin at time 0 (rad).
     pub sea: Vec<[f64; 5]>,
@@ -116,6 +120,8 @@ impl Info {
             telegraph: telegraph(),
             berth: berth::of(setup, cast),
             depth_m: world.environment.depth_m,
+            highest_water_m: world.environment.level_range_m()[1],
+            clearance_datum_m: world.overhead.clearance_datum_m,
             sea: world.environment.sea.as_ref().map_or_else(Vec::new, harmonics),
             daylight: world.environment.daylight.map(|daylight| DaylightInfo {
                 start_unix_s: daylight.start_unix_s,

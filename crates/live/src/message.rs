@@ -52,6 +52,11 @@ pub struct Hello<'a> {
     /// The berth to which the docking board measures distances.
     pub berth: Option<BerthInfo>,
     pub depth_m: Option<f64>,
+    /// A level above datum that the water of the run does not exceed, waves apart (m).
+    pub highest_water_m: f64,
+    /// Height above datum of the level of high water from which the chart gives clearances (m); `null` if the scenario
+    /// does not give the level.
+    pub clearance_datum_m: Option<f64>,
     /// The harmonics of the run's waves; empty without waves.
     #[cfg_attr(test, ts(type = "Wave[]"))]
     pub sea: &'a [[f64; 5]],
@@ -298,15 +303,16 @@ pub struct ChartInfo {
     pub depth_m: Option<f64>,
     /// The greatest depth of an area of depth (m).
     pub deepest_m: Option<f64>,
-    /// Height of a bridge or an overhead cable above the water (m).
+    /// Height of a bridge or an overhead cable above the level of high water of the chart (m).
     pub clearance_m: Option<f64>,
-    /// Colour of a buoy, beacon or light.
+    /// Colour of a buoy, beacon, mooring buoy or light.
     #[cfg_attr(test, ts(type = "MarkColour | null"))]
     pub colour: Option<&'static str>,
     /// The side of the fairway on which a lateral mark is, for a ship that enters.
     #[cfg_attr(test, ts(type = "MarkSide | null"))]
     pub side: Option<&'static str>,
-    /// What a buoy or beacon says, by IALA's system. A cardinal mark has the direction of the safe water.
+    /// What a buoy or beacon says, by IALA's system. A cardinal mark has the direction of the safe water, a mooring buoy
+    /// has `other`, and other moorings have none.
     #[cfg_attr(test, ts(type = "MarkMeaning | null"))]
     pub meaning: Option<&'static str>,
     /// Shape of the body of a buoy or beacon; `null` if the chart does not give the shape.

@@ -99,6 +99,8 @@ impl Watched {
             gallery: &[],
             berth: info.berth.as_ref().map(berth_info),
             depth_m: info.depth_m,
+            highest_water_m: info.highest_water_m,
+            clearance_datum_m: info.clearance_datum_m,
             sea: &info.sea,
             daylight: info.daylight,
             chart: &info.chart,

@@ -65,6 +65,21 @@ fn the_water_stands_as_high_above_datum_as_the_tide_says() {
     assert_eq!(frame(&without).water_level_m, 0.0);
 }
 
+#[test]
+fn pages_are_told_the_highest_water_of_the_run_and_the_level_of_clearances() {
+    let highest = |tide: &str| {
+        let tide = format!("environment.tide={tide}");
+        let session = support::open("scenarios/live/berthing.toml", &[&tide]);
+        (session.info().highest_water_m, session.info().clearance_datum_m)
+    };
+    assert_eq!(highest("{ level = \"1.8 m\" }"), (1.8, None));
+    // The tide is at its lowest when the run begins.
+    let tide =
+        "{ level = 2, constituent = [{ amplitude = 1.25, period = \"12 h\", lag = \"180 deg\" }] }";
+    assert_eq!(highest(tide), (3.25, None));
+    assert_eq!(support::under_bridge().info().clearance_datum_m, Some(2.0));
+}
+
 /// The harmonics of the greeting add up to the sea that moves the ship, at bow, side and stern; the page's tests read the
 /// same numbers.
 #[test]

@@ -105,6 +105,11 @@ fn marks_and_lights_have_their_colours_sides_and_sectors() {
     let tower = of_mark("BCNISD", "\"BCNSHP\": 3");
     assert_eq!((tower.meaning, tower.shape), (MarkMeaning::IsolatedDanger, Some(MarkShape::Tower)));
     assert_eq!(of_mark("BOYSPP", "\"COLOUR\": 6").meaning, MarkMeaning::Special);
+    // A mooring buoy is known by its mark; a dolphin has none.
+    let mooring = of_mark("MORFAC", "\"CATMOR\": 7, \"COLOUR\": [6]");
+    assert_eq!((mooring.colour, mooring.meaning), (MarkColour::Yellow, MarkMeaning::Other));
+    let dolphin = chart(&layer("MORFAC", &[feature("\"CATMOR\": 1", &point)]));
+    assert_eq!(dolphin.features[0].mark, None);
 
     let lights = chart(&layer(
         "LIGHTS",

@@ -124,7 +124,7 @@ pub struct ChartFeature {
     /// The greatest depth of an area below chart datum (m). `None` if the chart gives no greatest depth for the
     /// feature.
     pub deepest_m: Option<f64>,
-    /// Colour and side of a buoy or beacon; `None` for other kinds of features.
+    /// Colour and side of a buoy or beacon, and the colour of a mooring buoy; `None` for other features.
     pub mark: Option<ChartMark>,
     /// Colour, character, sector and range of a light; `None` for other kinds of features.
     pub light: Option<ChartLight>,

@@ -25,6 +25,9 @@ pub struct OverheadSetup {
     /// For each vessel, her air draught and outline; `None` if her air draught is not known. Empty if there are no
     /// structures.
     pub vessels: Vec<Option<TallVessel>>,
+    /// Height above chart datum of the level of high water from which the chart gives clearances (m); `None` if the
+    /// scenario does not give the level, or has no structures.
+    pub clearance_datum_m: Option<f64>,
 }
 
 /// A vessel with a known air draught.
@@ -185,7 +188,11 @@ mod tests {
         ] {
             let cable = Structure::new("cable".to_owned(), ChartShape::Line(line), 20.0).unwrap();
             let tall = TallVessel { air_draught_m: 21.0, outline: outline.clone() };
-            let overhead = OverheadSetup { structures: vec![cable], vessels: vec![Some(tall)] };
+            let overhead = OverheadSetup {
+                structures: vec![cable],
+                vessels: vec![Some(tall)],
+                clearance_datum_m: None,
+            };
             for speed_mps in [0.2, 0.7, 1.9, 5.0, 12.0] {
                 let way = vec2(off_m[0], off_m[1]) * (speed_mps / 92.0);
                 let state = BodyState { velocity_mps: way, ..BodyState::default() };

@@ -1,6 +1,6 @@
 /**
- * Quays, dolphins and bollards. A fixed body has an outline and no height: its deck lies under its bollards, or as high as is
- * usual where tides are small. Heights count from datum. Faces reach below the water; the colour of concrete is made by the
+ * Quays, dolphins and bollards. A fixed body has an outline and no height: `heights.ts` tells the height of its deck. Heights
+ * count from datum. Faces reach below the water; the colour of concrete is made by the
  * material.
  */
 import type { Colour, Spot } from "./solids";
@@ -9,7 +9,7 @@ import { add, dot, length, minus, times, turned } from "../geometry";
 import type { FenderInfo, Pair } from "../protocol";
 import { wrapped } from "../units";
 
-/** Height of a quay above datum where neither bollards nor fenders tell it [m]. */
+/** Height of a quay above datum where nothing tells it and tides are small [m]. */
 export const QUAY_M = 3.5;
 /** Height of a bollard [m]. */
 export const STEM_M = 0.55;
@@ -57,16 +57,6 @@ export const isDolphin = (outline: Pair[]): boolean => {
   };
   return Math.max(span(0), span(1)) <= DOLPHIN_M;
 };
-
-/**
- * Height of the deck of a fixed body above datum [m]: under its lowest bollard or line end of which the run has a height, or
- * over its highest panel. `heights`: those of bollards and line ends; `tops`: upper edges of panels.
- */
-export function deckHeight(heights: number[], tops: number[]): number {
-  const given = heights.filter((height) => height !== 0);
-  if (given.length > 0) return Math.max(0.5, Math.min(...given) - BIGHT_M);
-  return Math.max(QUAY_M, ...tops.map((top) => top + 0.2));
-}
 
 /** A fixed body, in its own axes. `cut`: splits a ring without holes into triangles of indices. */
 export function fixedParts(

@@ -1,39 +1,27 @@
 /**
  * Land and structures of the chart. A chart has outlines without heights: coasts rise over a bank of stones to level ground
- * with trees, quays stand as high as fixed bodies, buildings and pontoons have heights that are usual.
+ * with trees, quays stand as high as fixed bodies, buildings have heights that are usual. Pontoons float.
  */
-import { InstancedMesh, Matrix4, Mesh, Quaternion, ShapeUtils, Vector2, Vector3 } from "three";
-import { CONCRETE, QUAY_M, area2, inset, isInside, lid } from "./berth";
+import { InstancedMesh, Matrix4, Mesh, Quaternion, Vector3 } from "three";
+import { CONCRETE, area2, inset, isInside } from "./berth";
+import { BANK, BANK_FOOT_M, bankOf, block, cut, sides, width } from "./blocks";
 import { geometryOf } from "./fenders";
 import { chance } from "./fittings";
-import { type Shared, paintwork } from "./paintwork";
+import { BELOW_DECKS_M, type Site } from "./heights";
+import { type Shared, type Surface, paintwork } from "./paintwork";
 import { Solids, type Spot } from "./solids";
-import type { Hello, Pair } from "../protocol";
+import { PONTOON_M, structures } from "./structures";
+import { minus } from "../geometry";
+import type { ChartInfo, Hello, Pair } from "../protocol";
 
-/** Height of level ground above the still water [m]. */
-const GROUND_M = 3;
-const BANK_M = 7;
+/** The crest of a bank of which the chart has only a line lies so far below ground [m]. */
+const CREST_BELOW_M = 1;
 const GRASS = 0x575f43;
 const STONE = 0x77716a;
 const ASPHALT = 0x6f6d68;
 /** Trees stand no farther from the origin [m]. */
 const WOODS_M = 5000;
 export const MOST_TREES = 1600;
-
-/** Triangles of a ring with holes, as indices into all their corners one after the other. */
-export const cut = (ring: Pair[], holes: Pair[][] = []): number[][] => {
-  const points = (of: Pair[]) => of.map(([n, e]) => new Vector2(n, e));
-  return ShapeUtils.triangulateShape(points(ring), holes.map(points));
-};
-
-/** Mean width of an area: twice its area over its circumference [m]. */
-export function width(ring: Pair[]): number {
-  const around = ring.reduce((sum, a, i) => {
-    const b = ring[(i + 1) % ring.length] ?? a;
-    return sum + Math.hypot(b[0] - a[0], b[1] - a[1]);
-  }, 0);
-  return around > 0 ? Math.abs(area2(ring)) / around : 0;
-}
 
 /** Distance of a place from a ring [m]. */
 function offRing(ring: Pair[], [n, e]: Pair): number {
@@ -48,29 +36,6 @@ function offRing(ring: Pair[], [n, e]: Pair): number {
   );
 }
 
-function sides(
-  ring: Pair[],
-  over: Pair[],
-  from_m: number,
-  to_m: number,
-  colour: number,
-  to: Solids,
-) {
-  const sign = area2(ring) > 0 ? 1 : -1;
-  ring.forEach((a, i) => {
-    const k = (i + 1) % ring.length;
-    const [b, c, d] = [ring[k], over[k], over[i]];
-    if (!b || !c || !d) return;
-    const corners: Spot[] = [
-      [...a, from_m],
-      [...b, from_m],
-      [...c, to_m],
-      [...d, to_m],
-    ];
-    to.face(corners, [sign * (b[1] - a[1]), -sign * (b[0] - a[0]), 0.01], colour);
-  });
-}
-
 /** Whether a chart's quay is a fixed body of the scenario, which is drawn with its fenders. */
 function isBody(ring: Pair[], bodies: Pair[][]): boolean {
   return bodies.some((outline) =>
@@ -78,91 +43,112 @@ function isBody(ring: Pair[], bodies: Pair[][]): boolean {
   );
 }
 
-export interface Land {
-  meshes: (Mesh | InstancedMesh)[];
+/** What stands on the ground, with heights above datum, and what floats, with heights above the water. */
+export interface Parts {
+  ground: Solids;
+  built: Solids;
+  afloat: Solids;
+  woods: Wood[];
 }
 
-/** `fixed`: outlines of the fixed bodies on the earth; all places are moved by the origin. */
-export function land(
-  hello: Hello,
-  fixed: Pair[][],
-  origin: Pair,
-  shared: Shared,
-  most_trees = MOST_TREES,
-): Land {
-  const ground = new Solids();
-  const built = new Solids();
-  const woods: { ring: Pair[]; area: number }[] = [];
-  const near = (ring: Pair[]): Pair[] => ring.map(([n, e]) => [n - origin[0], e - origin[1]]);
-  const hasArea = hello.chart.some(({ kind, shape }) => kind === "coast" && shape === "area");
-  for (const feature of hello.chart) {
-    const rings = feature.lines.map(near);
+interface Wood {
+  ring: Pair[];
+  area: number;
+}
+
+/** Land and structures of a chart. */
+export function landOf(chart: ChartInfo[], site: Site): Parts {
+  const { origin, heights } = site;
+  const fixed = site.fixed.map(({ ring }) => ring);
+  const parts: Parts = {
+    ground: new Solids(),
+    built: new Solids(),
+    afloat: new Solids(),
+    woods: [],
+  };
+  const { ground, built, afloat } = parts;
+  const quay_m = heights.quay_m - BELOW_DECKS_M;
+  const hasArea = chart.some(({ kind, shape }) => kind === "coast" && shape === "area");
+  for (const feature of chart) {
+    const rings = feature.lines.map((ring) => ring.map((at) => minus(at, origin)));
     const outer = rings[0];
     if (!outer || outer.length < 2) continue;
     if (feature.shape === "area" && outer.length >= 3) {
-      if (feature.kind === "coast") coast(outer, rings.slice(1), ground, woods);
-      else if (feature.kind === "quay" && !isBody(feature.lines[0] ?? [], fixed)) {
-        sides(outer, outer, -9, QUAY_M, CONCRETE, built);
-        lid(outer, cut, QUAY_M, 0x8f8c84, built);
-      } else if (feature.kind === "pontoon") {
-        sides(outer, outer, -1, 0.9, 0x8c8f8d, built);
-        lid(outer, cut, 0.9, 0x9a958a, built);
-      } else if (feature.kind === "building") {
+      const isDrawn = isBody(feature.lines[0] ?? [], fixed);
+      if (feature.kind === "coast") coast(outer, rings.slice(1), heights.ground_m, parts);
+      else if (feature.kind === "quay" && !isDrawn)
+        block(outer, [-9, quay_m], CONCRETE, 0x8f8c84, built);
+      else if (feature.kind === "pontoon" && !isDrawn)
+        block(outer, PONTOON_M, 0x8c8f8d, 0x9a958a, afloat);
+      else if (feature.kind === "building") {
         const tall = 8 + 6 * chance(outer[0]?.[0] ?? 0, outer[0]?.[1] ?? 0);
-        sides(outer, outer, 0, GROUND_M + tall, 0xa8a49a, built);
-        lid(outer, cut, GROUND_M + tall, 0x6f6a66, built);
+        block(outer, [0, heights.ground_m + tall], 0xa8a49a, 0x6f6a66, built);
       }
     } else if (feature.shape === "line" && feature.kind === "coast" && !hasArea)
       bank(
         rings.filter((line) => line.length > 1),
+        heights.ground_m - CREST_BELOW_M,
         ground,
       );
   }
-  const meshes: (Mesh | InstancedMesh)[] = [];
-  if (ground.triangles > 0) meshes.push(new Mesh(geometryOf(ground), paintwork(shared, "ground")));
-  if (built.triangles > 0) meshes.push(new Mesh(geometryOf(built), paintwork(shared, "concrete")));
-  const trees = plant(woods, fixed.map(near), most_trees);
-  if (trees.length > 0) meshes.push(forest(trees, shared));
-  for (const mesh of meshes) mesh.receiveShadow = true;
-  return { meshes };
+  structures(chart, site, parts);
+  return parts;
 }
 
-function coast(
-  outer: Pair[],
-  holes: Pair[][],
-  ground: Solids,
-  woods: { ring: Pair[]; area: number }[],
-) {
-  const wide = width(outer);
-  const isMole = wide < 25;
-  const by = Math.min(BANK_M, 0.45 * wide);
+export interface Land {
+  ashore: (Mesh | InstancedMesh)[];
+  afloat: Mesh[];
+}
+
+export function land({ chart }: Hello, site: Site, shared: Shared, most_trees = MOST_TREES): Land {
+  const { ground, built, afloat, woods } = landOf(chart, site);
+  const mesh = (of: Solids, surface: Surface) =>
+    of.triangles > 0 ? [new Mesh(geometryOf(of), paintwork(shared, surface))] : [];
+  const near = site.fixed.map(({ ring }) => ring.map((at) => minus(at, site.origin)));
+  const trees = plant(woods, near, most_trees);
+  const land: Land = {
+    ashore: [
+      ...mesh(ground, "ground"),
+      ...mesh(built, "concrete"),
+      ...(trees.length > 0 ? [forest(trees, site.heights.ground_m, shared)] : []),
+    ],
+    afloat: mesh(afloat, "concrete"),
+  };
+  for (const each of [...land.ashore, ...land.afloat]) each.receiveShadow = true;
+  return land;
+}
+
+function coast(outer: Pair[], holes: Pair[][], ground_m: number, { ground, woods }: Parts) {
+  const isMole = width(outer) < 25;
+  const by = bankOf(outer, ground_m);
   const top = inset(outer, by);
   const ok =
     Math.sign(area2(top)) === Math.sign(area2(outer)) &&
     Math.abs(area2(top)) < Math.abs(area2(outer));
   const crown = ok ? top : outer;
-  sides(outer, crown, -3, GROUND_M, STONE, ground);
+  sides(outer, crown, BANK_FOOT_M, ground_m, STONE, ground);
   const all = [...crown, ...holes.flat()];
   for (const three of cut(crown, holes)) {
     const corners = three.flatMap((k): Spot[] => {
       const at = all[k];
-      return at ? [[...at, GROUND_M]] : [];
+      return at ? [[...at, ground_m]] : [];
     });
     if (corners.length === 3) ground.face(corners, [0, 0, 1], isMole ? ASPHALT : GRASS);
   }
   for (const hole of holes)
-    sides(hole.toReversed(), hole.toReversed(), -3, GROUND_M, STONE, ground);
+    sides(hole.toReversed(), hole.toReversed(), BANK_FOOT_M, ground_m, STONE, ground);
   if (!isMole) woods.push({ ring: outer, area: Math.abs(area2(outer)) / 2 });
 }
 
 /** A coast of which the chart has only the line: a bank of stones on it. */
-function bank(lines: Pair[][], to: Solids): void {
+function bank(lines: Pair[][], crest_m: number, to: Solids): void {
   for (const line of lines)
     for (let i = 0; i + 1 < line.length; i++) {
       const [a, b] = [line[i], line[i + 1]];
       if (!a || !b) continue;
       const long = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1;
-      const off: Pair = [(-(b[1] - a[1]) / long) * 5, ((b[0] - a[0]) / long) * 5];
+      const half = BANK * (crest_m - BANK_FOOT_M);
+      const off: Pair = [(-(b[1] - a[1]) / long) * half, ((b[0] - a[0]) / long) * half];
       to.frustum(
         [
           [a[0] - off[0], a[1] - off[1]],
@@ -171,15 +157,15 @@ function bank(lines: Pair[][], to: Solids): void {
           [a[0] + off[0], a[1] + off[1]],
         ],
         [a, b, b, a],
-        -1.5,
-        2,
+        BANK_FOOT_M,
+        crest_m,
         STONE,
       );
     }
 }
 
 /** Places of trees: groups on the grass, away from the water and from quays. */
-function plant(woods: { ring: Pair[]; area: number }[], fixed: Pair[][], most: number): Pair[] {
+function plant(woods: Wood[], fixed: Pair[][], most: number): Pair[] {
   const places: Pair[] = [];
   const boxes = woods.map(({ ring }) => {
     const axis = (k: 0 | 1): Pair => {
@@ -215,7 +201,7 @@ function plant(woods: { ring: Pair[]; area: number }[], fixed: Pair[][], most: n
   return places;
 }
 
-function forest(places: Pair[], shared: Shared): InstancedMesh {
+function forest(places: Pair[], ground_m: number, shared: Shared): InstancedMesh {
   const tree = new Solids();
   tree.post([0, 0, 0], [0, 0, 2.5], 0.22, 0x4a3a2a, { sides: 3, caps: false });
   tree.ball([0, 0, 4.8], 3, 0x3f5229, 3);
@@ -225,7 +211,7 @@ function forest(places: Pair[], shared: Shared): InstancedMesh {
   places.forEach(([n, e], i) => {
     const grown = 0.75 + 0.8 * chance(n, e);
     matrix.compose(
-      new Vector3(e, GROUND_M - 0.1, -n),
+      new Vector3(e, ground_m - 0.1, -n),
       new Quaternion().setFromAxisAngle(new Vector3(0, 1, 0), 6 * chance(e, n)),
       new Vector3(grown, grown * (0.9 + 0.35 * chance(n, e, 3)), grown),
     );

@@ -467,7 +467,6 @@ export class Pane {
   }
 
   private seen = "";
-  private seenFrame: Frame | null = null;
   private unchanged = 0;
   private woke_ms = 0;
 
@@ -478,13 +477,14 @@ export class Pane {
   private rests(now_ms: number): boolean {
     const { canvas, live } = this;
     const size = [canvas.clientWidth, canvas.clientHeight, window.devicePixelRatio, this.detail];
-    const seen = JSON.stringify([this.look, this.palette, size]);
+    const { tick, run } = live.frame ?? {};
+    const seen = JSON.stringify([this.look, this.palette, size, tick]);
     const same =
+      run?.paused === true &&
       seen === this.seen &&
-      live.frame === this.seenFrame &&
       live.hello === this.built &&
       live.share(now_ms) >= 1;
-    [this.seen, this.seenFrame] = [seen, live.frame];
+    this.seen = seen;
     this.unchanged = same ? this.unchanged + 1 : 0;
     const rests =
       this.unchanged > DRAWINGS_TO_REST && now_ms - this.woke_ms < RESTS_MS && !this.film.runs;

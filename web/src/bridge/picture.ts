@@ -20,21 +20,31 @@ import {
 import { type Arrangement, type Vessel, arrangementOf, fairleadHeight } from "./arrangement";
 import { type Attitude, LEVEL, aim, fixedIn, stand } from "./aim";
 import { type Triple, aboard, toPicture } from "./axes";
-import { BIGHT_M, QUAY_M, bollard, deckHeight, fixedParts, isInside, quay, quaysOf } from "./berth";
+import { BIGHT_M, bollard, fixedParts, isInside, quay, quaysOf } from "./berth";
+import { cut } from "./blocks";
 import { PIECES, catenary, draped, weightOf } from "./catenary";
 import { type Conduct, conductOf } from "./conduct";
 import { type Seat, seatAtBollard, seatOn } from "./eyes";
 import { Fenders, geometryOf, middleOf } from "./fenders";
 import type { Paint } from "./fittings";
 import { Headset } from "./headset";
+import {
+  type Fixed,
+  type Heights,
+  type Site,
+  deckHeight,
+  endsOn,
+  heightsOf,
+  knownQuays,
+} from "./heights";
 import { type Block, blocksOf, hides } from "./hidden";
 import { Glows } from "./glows";
 import { type Lamp, type LampColour, bearingFrom, isSeen, lampsOf } from "./lamps";
 import type { Placed } from "./labels";
-import { MOST_TREES, cut, land } from "./land";
+import { MOST_TREES, land } from "./land";
 import { type Light, PALETTE_SUNS, density, lightOf } from "./light";
 import type { Look } from "./look";
-import { floats, lampHeight, mark } from "./marks";
+import { carriersOf, floats, lampHeight, mark, riseOf } from "./marks";
 import { type Shared, paintwork } from "./paintwork";
 import {
   type Label,
@@ -47,6 +57,7 @@ import {
   lineLabel,
   measuredStrokes,
   pathStrokes,
+  resampled,
   tugLabel,
 } from "./in_picture";
 import { Ropes } from "./ropes";
@@ -54,6 +65,7 @@ import { Sea, type Wake } from "./sea";
 import { PAINTS, shipParts } from "./ship";
 import { shine, sky, skyUniforms } from "./sky";
 import { Solids, type Spot, linearOf } from "./solids";
+import { cablesOf } from "./structures";
 import { TUG_PAINT } from "./tug";
 import { sunOf } from "./sun";
 import { surface } from "./waves";
@@ -62,7 +74,7 @@ import { clamp, onEarth, turned } from "../geometry";
 import { ghostAt, ghostText } from "../ghost";
 import { type Live, isOfTug } from "../live";
 import type { PaletteName } from "../palette";
-import type { BodyNow, Frame, Hello, LineInfo, LineNow, Pair } from "../protocol";
+import type { BodyNow, ChartInfo, Frame, Hello, LineInfo, LineNow, Pair } from "../protocol";
 import { tugOutline, tugPlace } from "../vector_tug";
 
 /** Picture of a vessel, or of a ship that passes. */
@@ -96,6 +108,9 @@ export interface Shown {
 const SLACK_N = 50;
 /** A line is at least 1.2 pixels wide, a mark 2. */
 const MARKS_NARROWER = 0.6;
+/** Overhead cables. */
+const CABLE = 0x2a2d30;
+const CABLE_RADIUS_M = 0.03;
 /** How high an arrow lies above what could hide the arrow [m]. */
 const ARROW_OVER_M = 0.7;
 /** How high the words of a measured ship stand above the water [m]. */
@@ -137,6 +152,11 @@ export class Picture {
   private ground = new Group();
   /** Level of the water above datum [m]. */
   private water_m = 0;
+  /** The mark that carries each light. */
+  private carriers = new Map<ChartInfo, ChartInfo>();
+  private heights: Heights = heightsOf(0, []);
+  /** Overhead cables: places on the earth with heights above datum [m]. */
+  private cables: Spot[][] = [];
   /** Heights of the decks of fixed bodies above datum [m]. */
   private decks: number[] = [];
   /** Outlines of the decks of fixed bodies, in the body's frame. */
@@ -241,8 +261,8 @@ export class Picture {
     this.clear();
     this.hello = hello;
     this.origin = originOf(hello, bodies);
-    this.ropes.room(hello.lines.length + hello.anchors.length + hello.tugs.length);
     this.sea.sea(hello.sea, this.origin);
+    this.heights = heightsOf(hello.highest_water_m, knownQuays(hello));
     this.decks = hello.bodies.map((_, i) => this.deckOf(hello, i));
     this.decked = hello.bodies.map(({ fixed, outline }, i) =>
       !fixed ? [] : outline.length > 0 ? [outline] : this.quays(hello, i),
@@ -259,7 +279,7 @@ export class Picture {
       const vessel = hello.vessels.findIndex(({ body }) => body === i);
       if (fixed) {
         const parts = new Solids();
-        const deck_m = this.decks[i] ?? QUAY_M;
+        const deck_m = this.decks[i] ?? this.heights.quay_m;
         if (outline.length > 0) fixedParts(outline, deck_m, cut, parts);
         else for (const ring of this.decked[i] ?? []) quay(ring, deck_m, cut, parts);
         const mesh = new Mesh(geometryOf(parts), concrete);
@@ -299,26 +319,39 @@ export class Picture {
       plain,
       (body) => hello.bodies[body]?.fixed ?? true,
     );
-    const fixed = this.decked.flatMap((rings, i): Pair[][] => {
-      const on = bodies[i];
-      return on ? rings.map((ring) => ring.map((at) => onEarth(on, at))) : [];
+    const fixed = this.decked.flatMap((rings, i): Fixed[] => {
+      const [on, deck_m] = [bodies[i], this.decks[i] ?? this.heights.quay_m];
+      return on ? rings.map((ring) => ({ ring: ring.map((at) => onEarth(on, at)), deck_m })) : [];
     });
-    const { meshes } = land(
-      hello,
+    const site: Site = {
       fixed,
-      this.origin,
+      origin: this.origin,
+      heights: this.heights,
+      high_water_m: hello.clearance_datum_m ?? hello.highest_water_m,
+    };
+    this.cables = cablesOf(hello.chart, site);
+    this.ropes.room(
+      hello.lines.length + hello.anchors.length + hello.tugs.length + this.cables.length,
+    );
+    const { ashore: standing, afloat: floating } = land(
+      hello,
+      site,
       this.shared,
       this.options.cheap ? MOST_TREES / 4 : MOST_TREES,
     );
-    for (const mesh of meshes) this.ground.add(mesh);
+    for (const mesh of standing) this.ground.add(mesh);
+    for (const mesh of floating) this.built.add(mesh);
+    const rise_m = riseOf(this.heights);
+    this.carriers = carriersOf(hello.chart);
     const [afloat, ashore] = [new Solids(), new Solids()];
     for (const feature of hello.chart) {
       const at = feature.lines[0]?.[0];
-      if (at && feature.shape === "point")
+      if (at && feature.shape === "point" && !this.carriers.has(feature))
         mark(
           feature,
           [at[0] - this.origin[0], at[1] - this.origin[1]],
           floats(feature) ? afloat : ashore,
+          rise_m,
         );
     }
     for (const [marks, on] of [
@@ -332,15 +365,13 @@ export class Picture {
   }
 
   /** Height of the deck of a fixed body above datum [m]. */
-  private deckOf({ bollards, lines, fenders }: Hello, body: number): number {
-    const ends = lines.flatMap(({ end }) =>
-      end && "body" in end && end.body === body ? [end.above_water_m] : [],
-    );
+  private deckOf(hello: Hello, body: number): number {
     return deckHeight(
-      [...bollards.filter((each) => each.body === body).map((b) => b.above_water_m), ...ends],
-      fenders
+      endsOn(hello, body),
+      hello.fenders
         .filter((fender) => fender.body === body && !fender.floating)
         .map((fender) => middleOf(fender) + fender.height_m / 2),
+      this.heights.quay_m,
     );
   }
 
@@ -403,7 +434,7 @@ export class Picture {
   /** Height of the deck of a body at a place above its water, or above datum if the body is fixed [m]. */
   private deck(body: number, [forward]: Pair): number {
     const ship = this.ships.find((each) => each.body === body);
-    return ship ? ship.arrangement.hull.deck_m(forward) : (this.decks[body] ?? QUAY_M);
+    return ship ? ship.arrangement.hull.deck_m(forward) : (this.decks[body] ?? this.heights.quay_m);
   }
 
   /** Height of the foot of a bollard; `height_m`: where lines hold on it, 0 if the scenario gives no height [m]. */
@@ -732,6 +763,10 @@ export class Picture {
       );
       this.ropes.add(points, linearOf(0xd8b23a), 0.045);
     });
+    for (const cable of this.cables) {
+      const points = cable.map(([n, e, up]) => toPicture(this.origin, [n, e], up - this.water_m));
+      this.ropes.add(resampled(points), linearOf(CABLE), CABLE_RADIUS_M);
+    }
     this.ropes.end();
   }
 
@@ -749,7 +784,7 @@ export class Picture {
       ? ship.kind === "tug"
         ? ship.mast_m
         : ship.deck_m
-      : (this.decks[pusher] ?? QUAY_M) - this.water_m;
+      : (this.decks[pusher] ?? this.heights.quay_m) - this.water_m;
     return Math.max(deck_m, top_m) + ARROW_OVER_M;
   }
 
@@ -861,7 +896,7 @@ export class Picture {
       const { x, z } = this.spot.set(...at).applyMatrix4(toQuay);
       return rings.some((ring) => isInside(ring, [-z, x]));
     };
-    const top_m = (this.decks[end.body] ?? QUAY_M) - this.water_m + radius_m;
+    const top_m = (this.decks[end.body] ?? this.heights.quay_m) - this.water_m + radius_m;
     return draped(points, isOverQuay, top_m);
   }
 
@@ -881,7 +916,11 @@ export class Picture {
     if ("place_m" in end)
       return [
         from,
-        toPicture(this.origin, end.place_m, (end.above_datum_m || QUAY_M + BIGHT_M) - this.water_m),
+        toPicture(
+          this.origin,
+          end.place_m,
+          (end.above_datum_m || this.heights.quay_m + BIGHT_M) - this.water_m,
+        ),
       ];
     const on = this.bodies[end.body];
     if (!on) return null;
@@ -942,14 +981,15 @@ export class Picture {
     }
   }
 
-  private chartLight(feature: Hello["chart"][number], t_s: number): void {
+  private chartLight(feature: ChartInfo, t_s: number): void {
     const at = feature.lines[0]?.[0];
     const isMark = feature.kind === "buoy" || feature.kind === "beacon" || feature.kind === "light";
     if (!at || !isMark || feature.shape !== "point") return;
     // A mark of which the chart gives no character has no light.
     if (feature.kind !== "light" && !feature.character) return;
     if (!isLit(feature.character ?? "", feature.period_s, t_s)) return;
-    const up = lampHeight(feature) - (floats(feature) ? 0 : this.water_m);
+    const on = this.carriers.get(feature) ?? feature;
+    const up = lampHeight(on, riseOf(this.heights)) - (floats(on) ? 0 : this.water_m);
     const [x, y, z] = toPicture(this.origin, at, up);
     const { x: ex, z: ez } = this.camera.position;
     const bearing = Math.atan2(ex - x, -(ez - z));

@@ -98,6 +98,8 @@ pub(super) struct Properties {
     pub(super) depth: Option<Value>,
     #[serde(rename = "CATLAM")]
     pub(super) catlam: Option<Value>,
+    #[serde(rename = "CATMOR")]
+    pub(super) catmor: Option<Value>,
     #[serde(rename = "CATCAM")]
     pub(super) catcam: Option<Value>,
     #[serde(rename = "BOYSHP")]

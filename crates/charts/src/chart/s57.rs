@@ -154,6 +154,10 @@ impl Attributes {
                 read.clearance_m = least.filter(|height_m| (0.0..=1e3).contains(height_m));
             }
             ChartKind::Buoy | ChartKind::Beacon => read.mark = Some(mark(class, given)),
+            // A mooring buoy: it floats, so the pages' view must tell it from a dolphin.
+            ChartKind::Mooring if value(&given.catmor) == Some(7.0) => {
+                read.mark = Some(mark(class, given));
+            }
             ChartKind::Light => read.light = Some(light(given)),
             ChartKind::Coverage if value(&given.catcov) == Some(2.0) => {
                 return Err("CATCOV 2: no coverage");
@@ -212,7 +216,7 @@ fn colour(code: u32) -> Option<MarkColour> {
     }
 }
 
-/// Colour of a buoy or beacon, and the side of the channel that it marks. Cardinal marks and isolated dangers are black
+/// Colour of a buoy, mooring buoy or beacon, and the side of the channel that it marks. Cardinal marks and isolated dangers are black
 /// with another colour, safe-water marks are white with red; a mark of a colour that the program does not know is drawn
 /// white.
 fn mark(class: Class, given: &Properties) -> ChartMark {

@@ -99,6 +99,7 @@ impl Assembly<'_, '_> {
         Ok(OverheadSetup {
             structures: structures(chart).filter_map(structure).collect(),
             vessels: vessels.map(tall).collect(),
+            clearance_datum_m: Some(*level.number()),
         })
     }
 

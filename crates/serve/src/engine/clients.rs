@@ -160,6 +160,8 @@ impl Engine {
             gallery: self.gallery.entries(),
             berth: self.session.info().berth.as_ref().map(berth_info),
             depth_m: self.session.info().depth_m,
+            highest_water_m: self.session.info().highest_water_m,
+            clearance_datum_m: self.session.info().clearance_datum_m,
             sea: &self.session.info().sea,
             daylight: self.session.info().daylight,
             chart: &self.session.info().chart,
