@@ -9,8 +9,9 @@ import {
   toScreen,
   zoomed,
 } from "../src/geometry";
-import type { BodyNow, Pair } from "../src/protocol";
-import { waysToBerth } from "../src/views/docking";
+import type { BodyNow, Pair, Frame, Hello } from "../src/protocol";
+import { figures } from "../src/bridge/in_picture";
+import { waysToBerth } from "../src/ways";
 
 const camera = (up_rad: number): Camera => ({
   centre: [100, 50],
@@ -93,4 +94,30 @@ test("far from the berth the board has the way to its nearest place", () => {
   expect(ways?.[0].closing_mps).toBeCloseTo(2, 9);
   // Within a length of the berth distances to the line of the fenders count.
   expect(waysToBerth(berth, quay, [-180, 0, 0, 2, 0, 0], { length_m: 100 })).toBeNull();
+});
+
+// The figures over the view had the distance to the line of the fenders, two miles off, where the docking board had the way there.
+test("far from the berth the figures have the way to it, as the docking board has", () => {
+  const vessel = (bow: string) => ({
+    ground_mps: [3, 0],
+    under_keel_m: 5,
+    berth: { bow, stern: "past_end", bow_m: 20, stern_m: 20, bow_mps: 0, stern_mps: 0 },
+  });
+  const frame = (bow: string) =>
+    ({
+      bodies: [
+        [-3000, 0, 0, 3, 0, 0],
+        [0, 0, 0, 0, 0, 0],
+      ],
+      vessels: [vessel(bow)],
+      wind: { speed_mps: 0, from_rad: 0 },
+    }) as unknown as Frame;
+  const hello = {
+    vessels: [{ body: 0, name: "ship", length_m: 100 }],
+    berth: { body: 1, from: [0, 0], to: [200, 0] },
+  } as unknown as Hello;
+  expect(figures(frame("past_end"), hello, 0, 0, true)).toEqual([
+    "Berth bears 000°, 1.59 NM off, 3.0 m/s closing",
+  ]);
+  expect(figures(frame("off"), hello, 0, 0, true)[0]).toMatch(/^Bow 20 m off/);
 });

@@ -7,6 +7,7 @@ import { PIECES } from "./catenary";
 import type { Colour } from "./solids";
 import type { BerthEnd, Frame, Hello, Pair, PathPoint, ShipPath } from "../protocol";
 import { onEarth } from "../geometry";
+import { farFromBerth } from "../ways";
 import {
   distance,
   fixed,
@@ -207,6 +208,13 @@ export function figures(
   const berth = frame.vessels[ship]?.berth ?? null;
   const last = around(frame, now.under_keel_m);
   if (!berth) return berthOnly ? [] : [first, last];
+  const far = farFromBerth(frame, hello, ship);
+  if (far) {
+    // As on the docking board: far from the berth the distance to the line of the fenders says nothing.
+    const [{ bearing_rad, off_m, closing_mps }] = far;
+    const way = `Berth bears ${heading(bearing_rad, 0)}, ${distance(off_m)} off, ${fixed(Math.abs(closing_mps), 1)} m/s ${closing_mps < 0 ? "opening" : "closing"}`;
+    return berthOnly ? [way] : [first, way, last];
+  }
   const end = (name: string, at: BerthEnd, m: number, mps: number) =>
     `${name} ${off(at, m)}, ${Math.abs(mps) < 0.005 ? "still" : `${fixed(Math.abs(mps), 2)} m/s ${mps < 0 ? "opening" : "closing"}`}`;
   const ends = `${ship === vessel ? "" : `${spoken(hello.vessels[ship]?.name ?? "")}: `}${end(ship === vessel ? "Bow" : "bow", berth.bow, berth.bow_m, berth.bow_mps)}; ${end("stern", berth.stern, berth.stern_m, berth.stern_mps)}`;

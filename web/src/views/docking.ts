@@ -1,10 +1,11 @@
 /** The docking board: distances and speeds at bow and stern, in digits to be read across a bridge wing. The server has
  * its limits and signals. */
-import { dot, length, minus, nearestOn, onEarth, turned } from "../geometry";
+import { dot, turned } from "../geometry";
 import type { Page } from "../page";
-import type { BerthEnd, BodyNow, Frame, Hello, Lamp, Pair, VesselInfo } from "../protocol";
+import type { BerthEnd, Frame, Hello, Lamp } from "../protocol";
 import { button, h, setAttribute, setClass, setText } from "../ui/dom";
 import { fixed, heading, toDegrees } from "../units";
+import { type Way, farFromBerth } from "../ways";
 import type { View } from "./view";
 
 const LIGHTS: readonly Lamp["light"][] = ["ok", "caution", "alarm"];
@@ -12,39 +13,6 @@ const LIGHTS: readonly Lamp["light"][] = ["ok", "caution", "alarm"];
 const SAME_LIMIT_MPS = 0.02;
 /** Below this an end counts as still [m/s]. */
 const STILL_MPS = 0.005;
-
-/** Way from an end of a ship to the nearest place of the berth. */
-interface Way {
-  off_m: number;
-  /** From north [rad]. */
-  bearing_rad: number;
-  /** Speed of the ship along this bearing [m/s]. */
-  closing_mps: number;
-}
-
-/**
- * Ways from bow and stern to the berth, if the ship is farther than a length from the berth: there distances to the line of the
- * fenders say nothing. `null` nearer.
- */
-export function waysToBerth(
-  { from, to }: { from: Pair; to: Pair },
-  quay: BodyNow,
-  ship: BodyNow,
-  { length_m }: Pick<VesselInfo, "length_m">,
-): [bow: Way, stern: Way] | null {
-  const way = (forward_m: number): Way => {
-    const end = onEarth(ship, [forward_m, 0]);
-    const across = minus(nearestOn(onEarth(quay, from), onEarth(quay, to), end), end);
-    const off_m = length(across);
-    return {
-      off_m,
-      bearing_rad: Math.atan2(across[1], across[0]),
-      closing_mps: dot(across, [ship[3], ship[4]]) / (off_m || 1),
-    };
-  };
-  const [bow, stern] = [way(length_m / 2), way(-length_m / 2)];
-  return Math.min(bow.off_m, stern.off_m) > length_m ? [bow, stern] : null;
-}
 
 class End {
   private readonly distance = h("output", { class: "digits distance" }, "–");
@@ -225,9 +193,7 @@ export class Docking implements View {
     const berth = now?.berth;
     setClass(this.root, "none", !berth);
     if (!berth || !hello.berth || !body || !quay) return;
-    const info = hello.vessels[index];
-    const isPast = berth.bow === "past_end" && berth.stern === "past_end";
-    const ways = isPast && info ? waysToBerth(hello.berth, quay, body, info) : null;
+    const ways = farFromBerth(frame, hello, index);
     setClass(this.ends, "far", ways !== null);
     if (ways) {
       const [bow, stern] = ways;
