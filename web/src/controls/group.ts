@@ -3,6 +3,7 @@ import type { Page } from "../page";
 import { instrument } from "../instruments/instrument";
 import type { Control, Frame, Hello } from "../protocol";
 import { button, h, setClass, setText } from "../ui/dom";
+import { spoken } from "../units";
 
 export interface KeyAction {
   /** As `KeyboardEvent.key`. */
@@ -69,7 +70,7 @@ export class ClaimBar {
     setText(
       this.text,
       claim?.holder
-        ? `${claim.holder} has ${this.what}${claim.connected ? "" : ", but has gone"}`
+        ? `${spoken(claim.holder)} has ${this.what}${claim.connected ? "" : ", but has gone"}`
         : `Nobody has ${this.what} now.`,
     );
     return mine;

@@ -207,7 +207,7 @@ export abstract class TugCard {
     }
     this.orders.show(this.ordered);
     const holder = this.commanded() ? null : this.heldBy();
-    setText(this.state, `${now.text}${holder ? `, by ${holder}` : ""}`);
+    setText(this.state, `${now.text}${holder ? `; ${spoken(holder)}` : ""}`);
   }
 
   private commanded(): boolean {
@@ -227,7 +227,7 @@ export abstract class TugCard {
       each.disabled = !may;
     const holder = may ? null : this.heldBy();
     for (const each of this.head.querySelectorAll("button, select")) setClass(each, "hidden", !may);
-    this.root.title = holder ? `${holder} has her` : "";
+    this.root.title = holder ? `${spoken(holder)} has her` : "";
   }
 }
 

@@ -28,6 +28,18 @@ const STATES: Record<LineNow["state"], string> = {
 /** Distances to bollards are shown anew after this time, and not while the list is open [s]. */
 const ANEW_AFTER_S = 2;
 
+/** States of a line in the overview, in a word; a line that is fast has its tension there. */
+const SHORT: Record<Exclude<LineNow["state"], "fast">, string> = {
+  ashore: "ashore",
+  aboard: "on board",
+  sent: "sent",
+  parted: "PARTED",
+};
+/** From this share of the working load on a tension is amber in the overview. */
+const NEAR_WORKING = 0.8;
+/** Fewer lines than this stand on the panel without scrolling. */
+const LEAST_FOR_OVERVIEW = 4;
+
 type Winch = LineNow["winch"];
 
 function winchOrder(order: Winch, line: string, rate_mps: number): Order {
@@ -264,8 +276,42 @@ function mayWork(info: LineInfo, { role, vessels }: Hello): boolean {
   );
 }
 
+/** The tensions of all lines at a glance, where the rows of the lines are longer than the panel. */
+class Overview {
+  private readonly cells: HTMLElement[];
+  readonly root: HTMLElement;
+
+  /** `order`: indices of the lines, as their rows stand. */
+  constructor(
+    private readonly infos: LineInfo[],
+    private readonly order: number[],
+  ) {
+    this.cells = order.map(() => h("b", {}));
+    this.root = h(
+      "ul",
+      { class: "overview", "aria-label": "Tensions of all lines" },
+      ...order.map((line, i) =>
+        h("li", {}, `${spoken(infos[line]?.name ?? "")} `, this.cells[i] ?? ""),
+      ),
+    );
+  }
+
+  show(lines: LineNow[]): void {
+    this.order.forEach((line, i) => {
+      const [now, cell] = [lines[line], this.cells[i]];
+      const item = cell?.parentElement;
+      if (!now || !cell || !item) return;
+      const working_n = this.infos[line]?.working_n ?? Infinity;
+      setText(cell, now.state === "fast" ? tonnes(now.tension_n) : SHORT[now.state]);
+      setClass(item, "alarm", now.state === "parted");
+      setClass(item, "caution", now.over_working || now.tension_n > NEAR_WORKING * working_n);
+    });
+  }
+}
+
 export class Lines implements View {
   private readonly rows: Row[];
+  private readonly overview: Overview;
   /** The goal of the exercise asks for tensions. */
   private readonly asked: boolean;
   private readonly why = h("p", { class: "note" });
@@ -280,13 +326,17 @@ export class Lines implements View {
     );
     // First what the page's people may work, as the towline on a tugmaster's page; else mooring lines before towlines.
     const last = (info: LineInfo) => (mayWork(info, hello) ? 0 : 2) + (info.is_towline ? 1 : 0);
-    const inOrder = hello.lines
-      .map((info, i) => ({ row: this.rows[i], at: last(info) }))
+    const order = hello.lines
+      .map((info, i) => ({ i, at: last(info) }))
       .toSorted((a, b) => a.at - b.at)
-      .flatMap(({ row }) => row ?? []);
+      .map(({ i }) => i);
+    const inOrder = order.flatMap((i) => this.rows[i] ?? []);
+    this.overview = new Overview(hello.lines, order);
+    setClass(this.overview.root, "hidden", order.length < LEAST_FOR_OVERVIEW);
     this.root = h(
       "div",
       { class: "lines" },
+      this.overview.root,
       this.count,
       hello.lines.length === 0
         ? h("p", { class: "nothing" }, "No lines in this scenario.")
@@ -300,6 +350,7 @@ export class Lines implements View {
     frame.lines.forEach((now, i) =>
       this.rows[i]?.show(now, may[i] ?? false, frame.bodies, frame.t_s),
     );
+    this.overview.show(frame.lines);
     const own = frame.lines.filter((_, i) => hello.lines[i]?.is_towline === false);
     const fast = own.filter(({ state }) => state === "fast").length;
     setText(

@@ -172,7 +172,7 @@ export class Session implements View {
             {},
             holder === null
               ? "nobody"
-              : `${holder}${connected ? "" : " — left; the orders stay as they are"}`,
+              : `${spoken(holder)}${connected ? "" : " — left; the orders stay as they are"}`,
           ),
         );
         setClass(row, "caution", holder !== null && !connected);
