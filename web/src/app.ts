@@ -641,7 +641,6 @@ export class App implements Page {
     this.judged(frame.verdict);
     this.sound.tick(frame, this.live, performance.now());
     this.plan?.tick(frame);
-    this.pane.tick(frame);
     for (const group of this.groups) group.tick(frame, hello);
     for (const { name, view } of this.tabs) {
       // Alarms are counted even if their tab is not shown.

@@ -120,4 +120,13 @@ test("far from the berth the figures have the way to it, as the docking board ha
     "Berth bears 000°, 1.59 NM off, 3.0 m/s closing",
   ]);
   expect(figures(frame("off"), hello, 0, 0, true)[0]).toMatch(/^Bow 20 m off/);
+  // From a tug, whose own figures come first, the line says that it is about the ship.
+  const tug = { ...hello, vessels: [...hello.vessels, { body: 0, name: "tug", length_m: 30 }] };
+  const both = {
+    ...frame("past_end"),
+    vessels: [vessel("past_end"), vessel("off")],
+  } as unknown as Frame;
+  expect(figures(both, tug as Hello, 1, 0, true)).toEqual([
+    "ship: berth bears 000°, 1.59 NM off, 3.0 m/s closing",
+  ]);
 });

@@ -14,6 +14,7 @@ import { arrangementOf } from "../src/bridge/arrangement";
 import type { Triple } from "../src/bridge/axes";
 import { PIECES } from "../src/bridge/catenary";
 import { blocksOf, hides } from "../src/bridge/hidden";
+import { broken } from "../src/bridge/written";
 import { type Placed, placed } from "../src/bridge/labels";
 import { History } from "../src/history";
 import type { Frame, Hello, Pair, PathPoint } from "../src/protocol";
@@ -192,4 +193,18 @@ describe("labels in the picture", () => {
     const all = placed([label("plain", 500, 200), label("caution", 520, 210, "caution")], [0, 0]);
     expect(all.map(({ text }) => text)).toEqual(["caution"]);
   });
+});
+
+// In a narrow page the figures stand in several lines, and ran out of their box in a saved picture.
+test("words that are written into a picture are broken where they would leave their box", () => {
+  const width = (text: string) => text.length;
+  expect(broken("Bow 40.5 m off; stern 44.9 m off", 16, width)).toEqual([
+    "Bow 40.5 m off;",
+    "stern 44.9 m off",
+  ]);
+  expect(broken("short", 16, width)).toEqual(["short"]);
+  expect(broken("a word that-is-wider-than-its-box", 10, width)).toEqual([
+    "a word",
+    "that-is-wider-than-its-box",
+  ]);
 });

@@ -170,7 +170,7 @@ function speeds(ahead_mps: number, starboard_mps: number): string {
   return all.length > 0 ? all.join(", ") : "at rest";
 }
 
-/** Wind, and the water under the keel: the strip of the plan, which has them, is closed where the view has its place. */
+/** Wind, and the water under the keel. */
 function around({ wind }: Frame, under_keel_m: number | null): string {
   const water = under_keel_m === null ? "" : `; ${fixed(under_keel_m, 1)} m under the keel`;
   return `Wind ${fixed(toKnots(wind.speed_mps), 0)} kn from ${heading(wind.from_rad, 0)}${water}`;
@@ -208,16 +208,21 @@ export function figures(
   const berth = frame.vessels[ship]?.berth ?? null;
   const last = around(frame, now.under_keel_m);
   if (!berth) return berthOnly ? [] : [first, last];
+  const whose = ship === vessel ? "" : `${spoken(hello.vessels[ship]?.name ?? "")}: `;
   const far = farFromBerth(frame, hello, ship);
   if (far) {
     // As on the docking board: far from the berth the distance to the line of the fenders says nothing.
-    const [{ bearing_rad, off_m, closing_mps }] = far;
-    const way = `Berth bears ${heading(bearing_rad, 0)}, ${distance(off_m)} off, ${fixed(Math.abs(closing_mps), 1)} m/s ${closing_mps < 0 ? "opening" : "closing"}`;
+    const [{ bearing_rad, off_m, closing_mps: mps }] = far;
+    const closing =
+      Math.abs(mps) < 0.05
+        ? "still"
+        : `${fixed(Math.abs(mps), 1)} m/s ${mps < 0 ? "opening" : "closing"}`;
+    const way = `${whose}${whose ? "berth" : "Berth"} bears ${heading(bearing_rad, 0)}, ${distance(off_m)} off, ${closing}`;
     return berthOnly ? [way] : [first, way, last];
   }
   const end = (name: string, at: BerthEnd, m: number, mps: number) =>
     `${name} ${off(at, m)}, ${Math.abs(mps) < 0.005 ? "still" : `${fixed(Math.abs(mps), 2)} m/s ${mps < 0 ? "opening" : "closing"}`}`;
-  const ends = `${ship === vessel ? "" : `${spoken(hello.vessels[ship]?.name ?? "")}: `}${end(ship === vessel ? "Bow" : "bow", berth.bow, berth.bow_m, berth.bow_mps)}; ${end("stern", berth.stern, berth.stern_m, berth.stern_mps)}`;
+  const ends = `${whose}${end(whose ? "bow" : "Bow", berth.bow, berth.bow_m, berth.bow_mps)}; ${end("stern", berth.stern, berth.stern_m, berth.stern_mps)}`;
   return berthOnly ? [ends] : [first, ends, last];
 }
 

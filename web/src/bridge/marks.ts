@@ -23,7 +23,7 @@ export const BEACON_LIGHT_M = 9.5;
 const TOWER_LIGHT_M = 14;
 /** Height of the light of a mooring buoy above the water, and of a dolphin above the dolphin [m]. */
 const MOORING_BUOY_LIGHT_M = 1.6;
-const OVER_DOLPHIN_M = 1;
+export const OVER_DOLPHIN_M = 1;
 /** How far below datum beacons and towers reach [m]. */
 const FOOT_M = -3;
 

@@ -225,11 +225,6 @@ export class Pane {
     setClass(this.message, "hidden", text === "");
   }
 
-  /** Shows the motion of the frame that has come. */
-  tick(frame: Frame): void {
-    this.motion.tick(frame, this.live);
-  }
-
   setPalette(name: PaletteName): void {
     this.palette = name;
     this.picture?.palette(name);
@@ -249,6 +244,8 @@ export class Pane {
         this.look,
         this.left.get(eye) ?? { turn_rad: 0, raise_rad: 0, view_rad: null },
         { eye, panorama_rad: null },
+        // One of several windows keeps its direction, whatever the eye.
+        this.lookAsked,
       );
     }
     if (eye !== "tug") this.look.vessel = this.live.conned();
@@ -388,17 +385,18 @@ export class Pane {
   }
 
   /** Figures and labels of the marks, at the places of this drawing. */
-  private drawLabels(): void {
+  private drawLabels(all = this.asked === "alone"): void {
     const { hello, frame } = this.live;
     const shown = this.look.marks && this.picture && hello && frame;
-    setClass(this.figures, "hidden", !shown);
+    setText(this.figures, shown ? this.figureText(frame, hello, all) : "");
+    setClass(this.figures, "hidden", this.figures.textContent === "");
     const { clientWidth, clientHeight } = this.labels;
     const seen = shown ? (this.picture?.labelled([clientWidth, clientHeight]) ?? []) : [];
     if (seen.length > 0) this.measureWords();
-    const all = placed(seen, this.wordsTo);
-    while (this.labels.children.length < all.length) this.labels.append(h("span"));
+    const labels = placed(seen, this.wordsTo);
+    while (this.labels.children.length < labels.length) this.labels.append(h("span"));
     [...this.labels.children].forEach((each, i) => {
-      const label = all[i];
+      const label = labels[i];
       const span = each as HTMLElement;
       if (span.hidden !== !label) span.hidden = !label;
       if (!label) return;
@@ -407,18 +405,20 @@ export class Pane {
       span.style.left = `${label.x.toFixed(1)}px`;
       span.style.top = `${label.y.toFixed(1)}px`;
     });
-    if (shown) {
-      setText(this.figures, this.figureText(frame, hello, this.asked === "alone"));
-      setClass(this.figures, "hidden", this.figures.textContent === "");
-    }
   }
 
   // ---------------------------------------------------------------------------------------------------- drawing
+
+  private moved: Frame | null = null;
 
   draw(now_ms: number): void {
     const { canvas, picture } = this;
     const [width, height] = [canvas.clientWidth, canvas.clientHeight];
     const { hello, frame } = this.live;
+    if (frame && frame !== this.moved && this.root.offsetParent !== null) {
+      this.moved = frame;
+      this.motion.tick(frame, this.live);
+    }
     // A headset has its own turns.
     if (picture?.headset.runs) return;
     if (!picture || this.state !== "open" || !hello || !frame || width === 0 || height === 0) {
@@ -489,6 +489,8 @@ export class Pane {
     const rests =
       this.unchanged > DRAWINGS_TO_REST && now_ms - this.woke_ms < RESTS_MS && !this.film.runs;
     if (!rests) this.woke_ms = now_ms;
+    // The caption is of the last drawing.
+    else if (this.unchanged === DRAWINGS_TO_REST + 1) this.describe(now_ms);
     return rests;
   }
 
@@ -702,6 +704,8 @@ export class Pane {
     const height = Math.round((width * canvas.clientHeight) / Math.max(1, canvas.clientWidth));
     const still = picture.still(width, height, this.look, performance.now());
     if (this.look.marks) this.write(still);
+    // The canvas was used for the picture: a resting view is drawn again at once.
+    this.unchanged = 0;
     const blob = await pngOf(still);
     if (!blob) {
       this.around.say("The browser made no picture of this view.");
@@ -712,13 +716,14 @@ export class Pane {
 
   /** Writes the marks into a picture that is saved, with all figures: the picture has no row of motion above it. */
   private write(still: HTMLCanvasElement): void {
-    const { hello, frame } = this.live;
-    if (hello && frame) setText(this.figures, this.figureText(frame, hello, true));
-    setClass(this.figures, "hidden", this.figures.textContent === "");
+    // More figures are higher: the labels go below them.
+    this.measured_ms = -Infinity;
+    this.drawLabels(true);
     writeInto(still, this.canvas, [
       this.figures,
       ...(this.labels.children as Iterable<HTMLElement>),
     ]);
+    this.measured_ms = -Infinity;
     this.drawLabels();
   }
 
@@ -797,6 +802,8 @@ function isSame(a: Hello, b: Hello): boolean {
     role,
     sea,
     daylight,
+    highest_water_m,
+    clearance_datum_m,
   }: Hello) =>
     JSON.stringify([
       file,
@@ -808,10 +815,12 @@ function isSame(a: Hello, b: Hello): boolean {
       bollards,
       tugs,
       traffic,
-      chart.length,
+      chart.map(({ kind, lines, clearance_m }) => [kind, lines[0]?.[0], clearance_m]),
       role,
       sea,
       daylight,
+      highest_water_m,
+      clearance_datum_m,
     ]);
   return of(a) === of(b);
 }

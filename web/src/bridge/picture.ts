@@ -44,7 +44,7 @@ import type { Placed } from "./labels";
 import { MOST_TREES, land } from "./land";
 import { type Light, PALETTE_SUNS, density, lightOf } from "./light";
 import type { Look } from "./look";
-import { carriersOf, floats, lampHeight, mark, riseOf } from "./marks";
+import { OVER_DOLPHIN_M, carriersOf, floats, lampHeight, mark, riseOf } from "./marks";
 import { type Shared, paintwork } from "./paintwork";
 import {
   type Label,
@@ -65,7 +65,7 @@ import { Sea, type Wake } from "./sea";
 import { PAINTS, shipParts } from "./ship";
 import { shine, sky, skyUniforms } from "./sky";
 import { Solids, type Spot, linearOf } from "./solids";
-import { cablesOf } from "./structures";
+import { cablesOf, isOn } from "./structures";
 import { TUG_PAINT } from "./tug";
 import { sunOf } from "./sun";
 import { surface } from "./waves";
@@ -154,6 +154,8 @@ export class Picture {
   private water_m = 0;
   /** The mark that carries each light. */
   private carriers = new Map<ChartInfo, ChartInfo>();
+  /** Mooring points that are bodies of the scenario, with the height of the deck above datum [m]. */
+  private onBodies = new Map<ChartInfo, number>();
   private heights: Heights = heightsOf(0, []);
   /** Overhead cables: places on the earth with heights above datum [m]. */
   private cables: Spot[][] = [];
@@ -343,6 +345,13 @@ export class Picture {
     for (const mesh of floating) this.built.add(mesh);
     const rise_m = riseOf(this.heights);
     this.carriers = carriersOf(hello.chart);
+    this.onBodies = new Map(
+      [...this.carriers.values()].flatMap((on): [ChartInfo, number][] => {
+        const at = on.lines[0]?.[0];
+        const body = at && fixed.find(({ ring }) => isOn(ring, at));
+        return body && on.kind === "mooring" ? [[on, body.deck_m]] : [];
+      }),
+    );
     const [afloat, ashore] = [new Solids(), new Solids()];
     for (const feature of hello.chart) {
       const at = feature.lines[0]?.[0];
@@ -989,7 +998,10 @@ export class Picture {
     if (feature.kind !== "light" && !feature.character) return;
     if (!isLit(feature.character ?? "", feature.period_s, t_s)) return;
     const on = this.carriers.get(feature) ?? feature;
-    const up = lampHeight(on, riseOf(this.heights)) - (floats(on) ? 0 : this.water_m);
+    const deck_m = this.onBodies.get(on);
+    const above_m =
+      deck_m === undefined ? lampHeight(on, riseOf(this.heights)) : deck_m + OVER_DOLPHIN_M;
+    const up = above_m - (floats(on) ? 0 : this.water_m);
     const [x, y, z] = toPicture(this.origin, at, up);
     const { x: ex, z: ez } = this.camera.position;
     const bearing = Math.atan2(ex - x, -(ez - z));

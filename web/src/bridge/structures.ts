@@ -125,7 +125,7 @@ const touches = (ring: Pair[], from: Pair, to: Pair): boolean =>
   ring.some((at) => length(minus(at, nearestOn(from, to, at))) < STRIP_M);
 
 /** Whether a place lies in a ring or beside the ring. */
-const isOn = (ring: Pair[], at: Pair): boolean =>
+export const isOn = (ring: Pair[], at: Pair): boolean =>
   isInside(ring, at) ||
   ring.some((from, i) => {
     const on = nearestOn(from, ring[(i + 1) % ring.length] ?? from, at);

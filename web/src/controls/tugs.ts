@@ -269,6 +269,8 @@ export function touching_n({ contacts }: Frame, body: number, movable: boolean[]
 export class VesselTug extends TugCard {
   private readonly body: number;
   private readonly movable: boolean[];
+  private told = "";
+  private isThere = false;
 
   constructor(
     page: Page,
@@ -283,6 +285,14 @@ export class VesselTug extends TugCard {
     this.movable = hello.bodies.map(({ fixed }) => !fixed);
   }
 
+  /** Notes whether the tug has come to the place where she stands off. */
+  private arrive({ order, place, away_m }: AssistNow, touches: boolean): void {
+    const told = `${order} ${place}`;
+    if (told !== this.told || touches || (away_m ?? 0) > LEAVES_M) this.isThere = false;
+    if (!touches && (away_m ?? 0) < ARRIVES_M) this.isThere = true;
+    this.told = told;
+  }
+
   protected now(frame: Frame): CardNow | null {
     const now = frame.vessels[this.index];
     if (!now) return null;
@@ -293,19 +303,22 @@ export class VesselTug extends TugCard {
       return { order: null, power: 0, place: null, text };
     }
     const { order, power, place } = assist;
-    return { order, power, place, text: assistText(assist) };
+    this.arrive(assist, touching_n(frame, this.body, this.movable) > NO_FORCE_N);
+    return { order, power, place, text: assistText(assist, this.isThere) };
   }
 }
 
-/** A tug that is told to stand off is at her place within this distance: beside a ship that turns she stays so near [m]. */
-const AT_HER_PLACE_M = 35;
+/** A tug that is told to stand off has come to her place within this distance [m]. */
+const ARRIVES_M = 10;
+/** She stays at her place within this distance: beside a ship that turns she is no farther off [m]. */
+const LEAVES_M = 35;
 
-function assistText({ state, force_n, away_m, slack_m }: AssistNow): string {
+function assistText({ state, force_n, away_m, slack_m }: AssistNow, isThere: boolean): string {
   // Short, because the card is narrow.
   const toGo = away_m === null ? null : `${fixed(away_m, 0)} m to go`;
   switch (state) {
     case "stands_off":
-      return (away_m ?? 0) < AT_HER_PLACE_M ? "standing off" : (toGo ?? "");
+      return isThere ? "standing off" : (toGo ?? "");
     case "comes_alongside":
       return toGo ?? "comes alongside";
     case "alongside":

@@ -66,7 +66,7 @@ table_keys! {
         CLEARANCE_DATUM: Number = key(
             "clearance_datum",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: -50.0, high: 50.0 }),
-            Unless("no vessel has an `air_draught`, or the chart has no bridge or cable with a clearance"),
+            Unless("the chart has no bridge or cable with a clearance"),
             "Height above chart datum of the level of high water from which the chart gives the clearances \
              of bridges and cables, such as mean high water springs. Tide tables of the place have it.",
             &["\"3.2 m\""],

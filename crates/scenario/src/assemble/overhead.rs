@@ -67,11 +67,9 @@ impl Assembly<'_, '_> {
             self.note_unchecked(chart_table, setup, &air_draughts, [known, unknown]);
         }
         let Some((table, item)) = given().next().filter(|_| known > 0) else {
-            if let Some(table) = chart_table.filter(|_| known > 0) {
-                let why = "no vessel has an `air_draught`";
-                self.note_idle(table, ChartKey::CLEARANCE_DATUM, why);
-            }
-            return Ok(OverheadSetup::default());
+            // Nobody is compared, but the view draws bridges and cables from this level up.
+            let clearance_datum_m = level.map(|level| *level.number());
+            return Ok(OverheadSetup { clearance_datum_m, ..OverheadSetup::default() });
         };
         let Some(level) = level else {
             let path = table.path_of(BodyKey::AIR_DRAUGHT);
