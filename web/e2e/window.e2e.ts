@@ -261,8 +261,10 @@ test("marks are in the picture on request: figures, path, forces and loads", asy
   // This browser has no headset.
   expect(await page.getByRole("button", { name: /^Headset: / }).isVisible()).toBe(false);
   await page.getByRole("button", { name: /^Marks: / }).click();
-  // She is on her way to the berth: its distances are in the picture. Her motion is in the row above.
-  await expect.poll(() => figures.textContent()).toMatch(/^Bow .* off, .*; stern .* off, /);
+  // She is on her way to the berth: its bearing and distance are in the picture. Her motion is in the row above.
+  await expect
+    .poll(() => figures.textContent())
+    .toMatch(/^Berth bears \d{3}°, .* off, .* m\/s closing$/);
   await expect.poll(() => page.locator(".window .motion").textContent()).toMatch(/SOG\d/);
   await page.screenshot({ path: join(SHOTS, "window-marks.png") });
   // The saved picture has the figures too: at their edge it has the colour of their ground.

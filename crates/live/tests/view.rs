@@ -78,6 +78,8 @@ fn pages_are_told_the_highest_water_of_the_run_and_the_level_of_clearances() {
         "{ level = 2, constituent = [{ amplitude = 1.25, period = \"12 h\", lag = \"180 deg\" }] }";
     assert_eq!(highest(tide), (3.25, None));
     assert_eq!(support::under_bridge().info().clearance_datum_m, Some(2.0));
+    // The view draws the bridge from this level up, whether a ship has an air draught or not.
+    assert_eq!(support::before_bridge("").info().clearance_datum_m, Some(2.0));
 }
 
 /// The harmonics of the greeting add up to the sea that moves the ship, at bow, side and stern; the page's tests read the

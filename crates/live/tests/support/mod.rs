@@ -72,8 +72,12 @@ position = [3000, 1200]
 
 /// A ship on her way to a bridge 350 m ahead that is 1 m too low for her.
 pub(crate) fn under_bridge() -> Session {
+    before_bridge("air_draught = \"33 m\"")
+}
+
+/// A ship on her way to a bridge 350 m ahead; `of_ship`: more keys of the ship.
+pub(crate) fn before_bridge(of_ship: &str) -> Session {
     const MORE: &str = r#"
-air_draught = "33 m"
 [chart]
 files = ["bridge.geojson"]
 coordinates = "metres"
@@ -83,8 +87,9 @@ clearance_datum = "2 m"
 "properties": { "OBJL": 11, "OBJNAM": "High Bridge", "VERCLR": 30 }, "geometry": { "type": "LineString",
 "coordinates": [[-200, 350], [200, 350]] } }] }"#;
     let chart = |_: &str| Ok(CHART.to_owned());
-    let (source, _) = Source::collect("bridge.toml", format!("{COASTER}{MORE}"), vec![], chart)
-        .expect("a good scenario");
+    let (source, _) =
+        Source::collect("bridge.toml", format!("{COASTER}{of_ship}{MORE}"), vec![], chart)
+            .expect("a good scenario");
     Session::open(source).expect("a good set-up")
 }
 
