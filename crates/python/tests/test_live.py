@@ -111,7 +111,7 @@ def test_another_version_of_the_protocol(server: Server, monkeypatch: pytest.Mon
 
     with pytest.raises(live.ProtocolError) as caught:
         asyncio.run(enter())
-    assert (caught.value.server, caught.value.client) == (8, 7)
+    assert (caught.value.server, caught.value.client) == (live.PROTOCOL, 7)
 
 
 async def frame_with(ship: Client, wanted: Callable[[live.Frame], bool]) -> live.Frame:
