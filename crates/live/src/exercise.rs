@@ -33,18 +33,9 @@ pub(crate) fn info(exercise: &Assessment, setup: &Setup) -> ExerciseInfo {
         task: of.task.clone(),
         ship: setup.bodies[ship].name.clone(),
         goal: of.goal.iter().map(|condition| condition.words()).collect(),
-        tension: of.goal.iter().find_map(|condition| match condition {
-            // Without tensions in the scenario the condition has all from zero to infinity.
-            Condition::LinesFast { lines, tension_n: [least_n, most_n], .. }
-                if *least_n > 0.0 || most_n.is_finite() =>
-            {
-                Some(TensionInfo {
-                    lines: lines.clone(),
-                    least_n: *least_n,
-                    most_n: most_n.is_finite().then_some(*most_n),
-                })
-            }
-            _ => None,
+        tension: of.goal.iter().find_map(Condition::tensions).map(|(lines, [least_n, most_n])| {
+            let most_n = most_n.is_finite().then_some(most_n);
+            TensionInfo { lines: lines.to_vec(), least_n, most_n }
         }),
         hold_s: of.hold_s,
         time_limit_s: of.time_limit_s.is_finite().then_some(of.time_limit_s),

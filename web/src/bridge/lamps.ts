@@ -57,9 +57,9 @@ const APART_M = 2;
 type OnMast = Pair;
 
 /**
- * The two masthead lights of a long ship, the forward one first; `post`: whether the after light stands on a post of its own. Annex I
- * wants them half a length apart, or 100 m: where the bridge is so far forward that its mast is near the foremast, it has the
- * forward light, and a post abaft has the other.
+ * The two masthead lights of a long ship, the forward light first; `post`: whether the after light stands on a post. Annex I (from
+ * memory) wants half a length between the lights, or 100 m. Where the bridge is so far forward that the mast on the bridge is near the
+ * foremast, the mast on the bridge has the forward light, and a post abaft of it has the after light.
  */
 export function mastheads(ship: Arrangement): { fore: OnMast; aft: OnMast; post: boolean } {
   const { hull, bridge, mast_m, length_m } = ship;

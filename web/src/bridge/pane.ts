@@ -126,8 +126,9 @@ export class Pane {
   /** The look that each eye was left with. */
   private readonly left = new Map<Eye, Pick<Look, "turn_rad" | "raise_rad" | "view_rad">>();
   private detail = 1;
-  /** The picture was made finer last, and when it may be made finer again [ms]. */
+  /** The last change of the detail made the picture finer. */
   private refined = false;
+  /** The picture must be quick for so long before it is made finer [ms]. */
   private refines_ms = REFINES_MS;
   private interval_ms = 16;
   private drawn_ms = 0;

@@ -291,7 +291,7 @@ class Overview {
       "ul",
       { class: "overview", "aria-label": "Tensions of all lines" },
       ...order.map((line, i) =>
-        h("li", {}, `${spoken(infos[line]?.name ?? "")} `, this.cells[i] ?? ""),
+        h("li", {}, h("span", {}, spoken(infos[line]?.name ?? "")), " ", this.cells[i] ?? ""),
       ),
     );
   }

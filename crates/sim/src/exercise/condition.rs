@@ -78,7 +78,7 @@ impl Condition {
             Condition::LinesFast { lines, at_least, tension_n } => {
                 let all = simulation.lines();
                 let fast = lines.iter().filter(|&&line| is_fast(&all[line])).count();
-                let asks_tension = tension_n[0] > 0.0 || tension_n[1].is_finite();
+                let asks_tension = self.tensions().is_some();
                 let within = |line: &&usize| {
                     let line = &all[**line];
                     let tension = line.load.tension_n;
@@ -131,6 +131,20 @@ impl Condition {
                     now: holding.now(anchors, all, simulation.setup()),
                 }
             }
+        }
+    }
+
+    /// The lines of which the condition asks a tension, and the least and the largest tension (N). `None` if the
+    /// condition asks for no tension.
+    #[must_use]
+    pub fn tensions(&self) -> Option<(&[usize], [f64; 2])> {
+        match self {
+            Condition::LinesFast { lines, tension_n, .. }
+                if tension_n[0] > 0.0 || tension_n[1].is_finite() =>
+            {
+                Some((lines, *tension_n))
+            }
+            _ => None,
         }
     }
 
