@@ -31,7 +31,7 @@ const ANEW_AFTER_S = 2;
 /** States of a line in the overview, in a word; a line that is fast has its tension there. */
 const SHORT: Record<Exclude<LineNow["state"], "fast">, string> = {
   ashore: "ashore",
-  aboard: "on board",
+  aboard: "aboard",
   sent: "sent",
   parted: "PARTED",
 };
