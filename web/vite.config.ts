@@ -1,6 +1,12 @@
 import { defineConfig } from "vitest/config";
 import { openbridge } from "./scripts/openbridge.ts";
 
+/**
+ * In CI a test of a page in real time that fails is run once more: other programs may have kept the page from drawing. The gate
+ * names each test that was run again.
+ */
+const retry = process.env.CI ? 1 : 0;
+
 // The page asks the server that it came from; in development that is Vite, which hands the socket on to `fenderline serve`.
 export default defineConfig({
   base: "./",
@@ -30,6 +36,7 @@ export default defineConfig({
           ],
           testTimeout: 450_000,
           hookTimeout: 60_000,
+          retry,
           // Much of the time they wait for the ship; more at once would draw too slowly on two processors.
           maxWorkers: 2,
         },
@@ -82,6 +89,7 @@ export default defineConfig({
           include: ["e2e-page/**/*.e2e.ts"],
           testTimeout: 180_000,
           hookTimeout: 60_000,
+          retry,
           fileParallelism: false,
           sequence: { groupOrder: 2 },
         },

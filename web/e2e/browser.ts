@@ -168,6 +168,12 @@ export async function browse(
   return { context, close: () => context.close() };
 }
 
+/** Waits until the page, which is in front, has drawn what it knows now, however slow the machine is. */
+export const drawn = (page: Page): Promise<void> =>
+  page.evaluate(async () => {
+    for (let times = 0; times < 2; times++) await new Promise(requestAnimationFrame);
+  });
+
 /** Opens the page of a role and waits until it has data. Errors in the page fail the test. */
 export async function open(
   context: BrowserContext,

@@ -5,7 +5,7 @@
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { type Browser, type Served, SHOTS, browse, open, serve } from "./browser";
+import { type Browser, type Served, SHOTS, browse, drawn, open, serve } from "./browser";
 import { labels } from "./faults";
 
 /** Titles, and whether there is a berth. */
@@ -60,7 +60,7 @@ for (const [begins, { berth }] of Object.entries(GALLERY)) {
     await pilot.bringToFront();
     await pilot.locator("header", { hasText: title }).waitFor();
     await pilot.getByRole("tab", { name: "Docking" }).click();
-    await pilot.waitForTimeout(600);
+    await drawn(pilot);
     // The text of the exercise covers neither heading nor speed.
     const hint = pilot.getByRole("status", { name: "Hint" });
     if (await hint.isVisible()) {
@@ -71,10 +71,11 @@ for (const [begins, { berth }] of Object.entries(GALLERY)) {
       expect(own?.y).toBeGreaterThanOrEqual((figures?.y ?? 0) + (figures?.height ?? 0));
       await pilot.getByRole("button", { name: "No hints" }).click();
     }
-    const off = await pilot.evaluate(
-      () => document.querySelector<HTMLElement>('.end[aria-label="Bow"]')?.dataset.off ?? null,
-    );
-    expect(off !== null && Number.isFinite(Number(off))).toBe(berth);
+    const off = () =>
+      pilot.evaluate(
+        () => document.querySelector<HTMLElement>('.end[aria-label="Bow"]')?.dataset.off ?? "none",
+      );
+    await expect.poll(async () => Number.isFinite(Number(await off()))).toBe(berth);
     await pilot.screenshot({
       path: join(SHOTS, `gallery-${begins.toLowerCase().replaceAll(" ", "-")}.png`),
     });
@@ -92,7 +93,7 @@ async function measureLabels(name: string): Promise<void> {
     await pilot.setViewportSize(size);
     await pilot.keyboard.press("0");
     for (const zoom of [1, 2, 3]) {
-      await pilot.waitForTimeout(250);
+      await drawn(pilot);
       const { faults, texts } = await labels(pilot);
       expect(faults, `${size.width} px, zoom ${zoom}`).toEqual([]);
       // Zoomed in, the ends of a long ship may be off the screen.

@@ -115,8 +115,22 @@ test("a frozen heading and speed stay on the pilot's page alone", async () => {
   await instructor.locator('.fault[aria-pressed="true"]', { hasText: "Speeds frozen" }).waitFor();
   await instructor.screenshot({ path: join(SHOTS, "frozen_instructor.png") });
   await pilot.bringToFront();
-  await pilot.waitForTimeout(500);
-  const shown = [await read(pilot, "Heading"), await read(pilot, "Speed over ground")];
+  // Frames of before may be on their way: she turns and gathers way, so that figures that stay are frozen.
+  const figures = async () => [
+    await read(pilot, "Heading"),
+    await read(pilot, "Speed over ground"),
+  ];
+  let shown: string[] = [];
+  await expect
+    .poll(
+      async () => {
+        const before = shown;
+        shown = await figures();
+        return JSON.stringify(shown) === JSON.stringify(before);
+      },
+      { interval: 2000 },
+    )
+    .toBe(true);
   await instructor.bringToFront();
   await instructor.getByRole("button", { name: "Pace 8" }).click();
   await expect
@@ -128,7 +142,7 @@ test("a frozen heading and speed stay on the pilot's page alone", async () => {
     })
     .toBe(true);
   await pilot.bringToFront();
-  expect([await read(pilot, "Heading"), await read(pilot, "Speed over ground")]).toEqual(shown);
+  expect(await figures()).toEqual(shown);
   expect(await pilot.getByText(/frozen/i).count()).toBe(0);
   await pilot.screenshot({ path: join(SHOTS, "frozen_pilot.png") });
   await instructor.bringToFront();

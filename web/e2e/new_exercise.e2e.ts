@@ -132,7 +132,7 @@ test("it opens from the gallery, and fog hides its tugs from the pilot alone", a
     page.evaluate(
       () => document.querySelector<HTMLElement>(".plan canvas")?.dataset.hidden ?? "none",
     );
-  expect(await hidden(pilot)).toBe("0");
+  await expect.poll(() => hidden(pilot)).toBe("0");
   await instructor.bringToFront();
   await instructor.getByRole("tab", { name: "Weather, faults" }).click();
   await instructor.getByRole("button", { name: "Visibility 100 m" }).click();

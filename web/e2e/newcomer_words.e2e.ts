@@ -2,7 +2,7 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { type Browser, SHOTS, type Served, browse, open, serve } from "./browser";
+import { type Browser, SHOTS, type Served, browse, drawn, open, serve } from "./browser";
 import { axe, sizes, withAxe } from "./faults";
 
 /** Longer than the question stood before [ms]. */
@@ -58,7 +58,7 @@ test("End this run? stays until it is answered, and Escape keeps the run", async
   await anew.click();
   await question.getByRole("button", { name: "End this run" }).click();
   await page.locator(".run-state", { hasText: "PAUSED" }).waitFor();
-  expect(await ticked()).toBe("0:00:00");
+  await expect.poll(ticked).toBe("0:00:00");
   await page.close();
   expect(errors).toEqual([]);
 });
@@ -83,7 +83,7 @@ test("the arrows of the tabs go when the page becomes wide enough for all of the
     const page = await open(browser.context, served, role, errors);
     const shown = async (width: number) => {
       await page.setViewportSize({ width, height: 768 });
-      await page.waitForTimeout(300);
+      await drawn(page);
       return page
         .locator(arrows)
         .evaluateAll((all) => all.map((each) => getComputedStyle(each).display !== "none"));

@@ -5,7 +5,7 @@
 import { join } from "node:path";
 import type { CDPSession, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { type Browser, SHOTS, type Served, browse, open, serve } from "./browser";
+import { type Browser, SHOTS, type Served, browse, drawn, open, serve } from "./browser";
 
 const errors: string[] = [];
 let served: Served;
@@ -30,8 +30,9 @@ const number = async (ship: string, name: string) =>
 const place = async (ship: string) => [await number(ship, "North"), await number(ship, "East")];
 const plan = () => page.getByRole("img", { name: "Plan of ship" });
 
-/** A place of the earth [m] on the page [px], with north up. */
+/** A place of the earth [m] on the page [px], with north up, in the view of the last press of a button. */
 async function onPage(north: number, east: number): Promise<[number, number]> {
+  await drawn(page);
   const box = await plan().boundingBox();
   const view = (await plan().getAttribute("data-view")) ?? "";
   const [atNorth = 0, atEast = 0, scale = 1] = view.split(" ").map(Number);

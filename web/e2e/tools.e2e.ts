@@ -2,7 +2,7 @@
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { type Browser, type Served, SHOTS, browse, open, serve } from "./browser";
+import { type Browser, type Served, SHOTS, browse, drawn, open, serve } from "./browser";
 import { labels } from "./faults";
 
 const PATIENT = { timeout: 30_000 };
@@ -36,6 +36,7 @@ afterAll(async () => {
 
 /** The plan's canvas: its corner on the page, and pixels in a metre. */
 async function plan(): Promise<{ x: number; y: number; scale: number }> {
+  await drawn(page);
   const canvas = page.getByRole("img", { name: "Plan of ship" });
   const [box, view] = [await canvas.boundingBox(), await canvas.getAttribute("data-view")];
   return { x: box?.x ?? NaN, y: box?.y ?? NaN, scale: Number(view?.split(" ")[2]) };
@@ -58,7 +59,7 @@ test("two clicks, or two touches, measure bearing and distance; each tool is tur
       touches ? page.touchscreen.tap(x + px, y + py) : page.mouse.click(x + px, y + py);
     await press(300, 250);
     await press(500, 250);
-    await page.waitForTimeout(200);
+    await drawn(page);
     // The plan follows the ship meanwhile: a few metres. The text begins with a bearing of three digits.
     const measured = (await texts()).find((text) => /^\d{3}\.\d° /.test(text)) ?? "";
     const m = Number(/° ([\d.]+) m/.exec(measured)?.[1]);
@@ -68,7 +69,7 @@ test("two clicks, or two touches, measure bearing and distance; each tool is tur
   await tool("Cursor").click();
   await tool("EBL").click();
   await page.mouse.move(x + 420, y + 200);
-  await page.waitForTimeout(300);
+  await drawn(page);
   expect((await texts()).some((text) => /^\d+ m|NM$|cables\)$/.test(text))).toBe(true);
   expect((await texts()).some((text) => text.endsWith("relative"))).toBe(true);
   const cursor = page.getByRole("status", { name: "Cursor" });
@@ -78,12 +79,12 @@ test("two clicks, or two touches, measure bearing and distance; each tool is tur
     Number.parseFloat((await texts()).find((t) => t.endsWith("relative")) ?? "");
   const before = await line();
   for (let i = 0; i < 3; i++) await page.getByRole("button", { name: "Bearing line +1°" }).click();
-  await page.waitForTimeout(200);
+  await drawn(page);
   expect((await line()) - before).toBeCloseTo(3, 0);
   expect((await labels(page)).faults).toEqual([]);
   await page.screenshot({ path: join(SHOTS, "measuring.png") });
   for (const name of ["2 points", "Rings", "Cursor", "EBL"]) await tool(name).click();
-  await page.waitForTimeout(200);
+  await drawn(page);
   expect((await texts()).some((text) => /relative$|^\d{3}\.\d° /.test(text))).toBe(false);
   await cursor.waitFor({ state: "hidden" });
   await page.getByRole("button", { name: "Measure: tools (I)" }).click();

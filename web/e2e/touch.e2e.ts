@@ -1,7 +1,7 @@
 /** Touch on the plan: one finger moves it, two zoom it about their middle. */
 import type { CDPSession, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { type Browser, type Served, browse, open, serve } from "./browser";
+import { type Browser, type Served, browse, drawn, open, serve } from "./browser";
 
 const errors: string[] = [];
 let served: Served;
@@ -32,7 +32,7 @@ async function touch(...places: Place[][]): Promise<void> {
     });
   }
   await fingers.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
-  await page.waitForTimeout(150);
+  await drawn(page);
 }
 
 async function view(): Promise<{ north: number; east: number; scale: number }> {

@@ -12,6 +12,8 @@ use crate::virtual_environment::target_folder;
 
 /// Folder below `target` for the output of each step.
 const FOLDER: &str = "steps";
+/// How many of its last lines a failed step prints once more at the end.
+const LAST_LINES: usize = 60;
 /// The exit code of a step whose tool is missing.
 const NOT_RUN: u8 = 3;
 /// The line with which a step tells its processor time.
@@ -63,6 +65,10 @@ struct Ended {
     index: usize,
     began_s: f64,
     wall_s: f64,
+    /// The end of what a step printed that is not good; empty for a good step.
+    last_lines: String,
+    /// The lines of tests that passed only when they were run again.
+    retried: Vec<String>,
     /// Processor time that the step's programs have used (s); `None` where the system does not tell.
     processor_s: Option<f64>,
     outcome: Outcome,
@@ -179,10 +185,45 @@ fn run_steps(steps: &[Gated]) -> Result<Vec<Ended>, String> {
             );
             println!("== {}, {wall_s:.1} s", word(&outcome));
             let began_s = began.elapsed().as_secs_f64() - wall_s;
-            ended.push(Ended { index: step.index, began_s, wall_s, processor_s, outcome });
+            let last_lines = match outcome {
+                Outcome::Good => String::new(),
+                _ => last_lines(&printed),
+            };
+            ended.push(Ended {
+                index: step.index,
+                began_s,
+                wall_s,
+                last_lines,
+                retried: retried(&printed),
+                processor_s,
+                outcome,
+            });
         }
     }
     Ok(ended)
+}
+
+/// The last lines of `printed`, without colours. The end of a long log is often all that somebody sees of the log.
+fn last_lines(printed: &str) -> String {
+    let lines: Vec<&str> = printed.trim_end().lines().collect();
+    let first = lines.len().saturating_sub(LAST_LINES);
+    without_colours(&lines[first..].join("\n"))
+}
+
+/// The lines of `printed` in which Vitest names a test that was run again.
+fn retried(printed: &str) -> Vec<String> {
+    let named = printed.lines().filter(|line| line.contains("(retry x"));
+    named.map(|line| without_colours(line).trim().to_owned()).collect()
+}
+
+/// `text` without the terminal's sequences, which begin with ESC and `[` and end with a letter.
+fn without_colours(text: &str) -> String {
+    let mut parts = text.split("\u{1b}[");
+    let first = parts.next().unwrap_or_default().to_owned();
+    parts.fold(first, |plain, part| {
+        let end = part.find(|c: char| c.is_ascii_alphabetic()).map_or(part.len(), |end| end + 1);
+        plain + &part[end..]
+    })
 }
 
 /// Whether the step may begin now: the steps that it waits for have ended, and what it uses is free.
@@ -333,12 +374,15 @@ fn conclude(steps: &[Gated], ended: &[Ended]) -> ExitCode {
     let good = ended.iter().filter(|step| step.outcome == Outcome::Good).count();
     println!("\n== {good} of {} steps good", steps.len());
     for step in ended {
+        for line in &step.retried {
+            println!("== good when run again: {}: {line}", steps[step.index].key);
+        }
         match &step.outcome {
             Outcome::Good => {}
             Outcome::NotRun(why) => println!("== not run: {}: {why}", steps[step.index].step.name),
             Outcome::Failed => println!(
-                "== failed: {}; `cargo xtask test {}` runs it alone",
-                steps[step.index].step.name, steps[step.index].key
+                "== failed: {}; `cargo xtask test {}` runs it alone; its last lines:\n{}",
+                steps[step.index].step.name, steps[step.index].key, step.last_lines
             ),
         }
     }
@@ -351,7 +395,9 @@ fn conclude(steps: &[Gated], ended: &[Ended]) -> ExitCode {
 
 #[cfg(test)]
 mod tests {
-    use super::{Gated, Pace, Processors, Uses, is_ready, read_processors};
+    use super::{
+        Gated, LAST_LINES, Pace, Processors, Uses, is_ready, last_lines, read_processors, retried,
+    };
     use crate::step::{Done, Step};
 
     const fn step(key: &'static str, after: &'static [&'static str], uses: Uses) -> Gated {
@@ -382,6 +428,21 @@ mod tests {
     fn no_step_begins_without_a_processor() {
         assert!(!is_ready(&STEPS, 1, &[2], &[], 0));
         assert!(!is_ready(&STEPS, 2, &[1], &[], 0));
+    }
+
+    #[test]
+    fn a_failed_step_says_its_last_lines_without_colours() {
+        let long = "first\n".to_owned()
+            + &"\u{1b}[31m×\u{1b}[39m it failed\u{1b}[2;33m 3 s\n".repeat(LAST_LINES);
+        assert_eq!(last_lines(&long), ["× it failed 3 s"; LAST_LINES].join("\n"));
+        assert_eq!(last_lines("only this\n\n"), "only this");
+    }
+
+    #[test]
+    fn a_test_that_was_run_again_is_named() {
+        let printed =
+            "good\n   \u{1b}[32m✓\u{1b}[39m the view films\u{1b}[33m (retry x1)\u{1b}[39m\n";
+        assert_eq!(retried(printed), ["✓ the view films (retry x1)"]);
     }
 
     #[test]
