@@ -2,6 +2,7 @@
 import type { Arrangement } from "./arrangement";
 import type { Triple } from "./axes";
 import { inset, isInside } from "./berth";
+import { baysOf, hiddenBelow_m } from "./containers";
 import type { Pair } from "../protocol";
 
 /** An upright block in the axes of a ship: its outline [forward, starboard], and the height of its roof [m]. */
@@ -13,9 +14,11 @@ export interface Block {
 /** A block is so much narrower than what it stands for, so that a place at the ship's side is not within it [m]. */
 const NARROWER_M = 1;
 
-/** The hull up to the deck, and the house up to the bridge deck. */
-export function blocksOf({ hull, deck_m, house }: Arrangement): Block[] {
+/** The hull up to the deck, the house up to the bridge deck, and the cargo of a container ship. */
+export function blocksOf(ship: Arrangement): Block[] {
+  const { hull, deck_m, house, kind } = ship;
   const { aft_m, fore_m, half_m, bridge_deck_m } = house;
+  const bays = kind === "container" ? baysOf(ship) : [];
   return [
     { outline: inset(hull.form.outline, NARROWER_M), roof_m: deck_m },
     {
@@ -27,6 +30,18 @@ export function blocksOf({ hull, deck_m, house }: Arrangement): Block[] {
       ],
       roof_m: bridge_deck_m - 0.3,
     },
+    ...bays.map((bay): Block => {
+      const half = bay.half_m - NARROWER_M;
+      return {
+        outline: [
+          [bay.aft_m, -half],
+          [bay.fore_m, -half],
+          [bay.fore_m, half],
+          [bay.aft_m, half],
+        ],
+        roof_m: hiddenBelow_m(bay),
+      };
+    }),
   ];
 }
 

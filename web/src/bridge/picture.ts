@@ -17,6 +17,7 @@ import {
   Vector3,
   WebGLRenderer,
 } from "three";
+import { Alphabet } from "./alphabet";
 import { type Arrangement, type Vessel, arrangementOf, fairleadHeight } from "./arrangement";
 import { type Attitude, LEVEL, aim, fixedIn, stand } from "./aim";
 import { type Triple, aboard, toPicture } from "./axes";
@@ -41,6 +42,7 @@ import { type Block, blocksOf, hides } from "./hidden";
 import { Glows } from "./glows";
 import { type Lamp, type LampColour, bearingFrom, isSeen, lampsOf } from "./lamps";
 import type { Placed } from "./labels";
+import { FIGURES, letteringOf, painted } from "./lettering";
 import { MOST_TREES, land } from "./land";
 import { type Light, PALETTE_SUNS, density, lightOf } from "./light";
 import type { Look } from "./look";
@@ -61,13 +63,14 @@ import {
   tugLabel,
 } from "./in_picture";
 import { Ropes } from "./ropes";
-import { Sea, type Wake } from "./sea";
+import { type PlacedJet, Sea, type Wake } from "./sea";
 import { PAINTS, shipParts } from "./ship";
 import { shine, sky, skyUniforms } from "./sky";
 import { Solids, type Spot, linearOf } from "./solids";
 import { cablesOf, isOn } from "./structures";
 import { TUG_PAINT } from "./tug";
 import { sunOf } from "./sun";
+import { jetOfTug, jetsOf } from "./wash";
 import { surface } from "./waves";
 import { isLit } from "../character";
 import { clamp, onEarth, turned } from "../geometry";
@@ -88,6 +91,13 @@ interface Ship {
   blocks: Block[];
   group: Group;
   lamps: Record<Conduct, Lamp[]>;
+}
+
+/** What all ships are painted with. */
+interface Paints {
+  steel: Mesh["material"];
+  panes: Mesh["material"];
+  alphabet: Alphabet;
 }
 
 /** What the picture shows of a frame. */
@@ -275,6 +285,9 @@ export class Picture {
     const steel = paintwork(this.shared, "steel");
     const panes = paintwork(this.shared, "panes");
     const plain = paintwork(this.shared, "plain", true);
+    const names = [...hello.bodies, ...hello.traffic, ...hello.tugs].map(({ name }) => name);
+    const alphabet = new Alphabet(FIGURES + names.map(painted).join(""), this.shared);
+    const paints = { steel, panes, alphabet };
     this.ships = [];
     this.bodies = hello.bodies.map(({ fixed, outline }, i) => {
       const group = new Group();
@@ -289,10 +302,11 @@ export class Picture {
         group.add(mesh);
       } else if (outline.length >= 3) {
         const info = hello.vessels[vessel];
-        const known = info ?? unknown(outline, hello.bodies[i]?.name ?? "");
+        const name = hello.bodies[i]?.name ?? "";
+        const known = { ...(info ?? unknown(outline, name)), name };
         const lines = hello.lines.filter(({ ship }) => ship === i);
         const look = vessel >= 0 ? vessel : i;
-        const built = this.ship(known, outline, look, [steel, panes], lines);
+        const built = this.ship(known, outline, look, paints, lines);
         group.add(built.group);
         this.ships.push({ ...built, body: i, index: vessel, group });
       }
@@ -301,15 +315,17 @@ export class Picture {
     });
     hello.traffic.forEach(({ name, outline }, i) => {
       if (outline.length < 3) return;
-      const built = this.ship(unknown(outline, name), outline, i + 1, [steel, panes]);
+      const ship = { ...unknown(outline, name), name };
+      const built = this.ship(ship, outline, i + 1, paints);
       this.built.add(built.group);
       this.ships.push({ ...built, body: -1, index: i });
     });
     this.tugs = hello.tugs.map((info) => {
       const { name, length_m, beam_m } = info;
       const outline = tugOutline(info);
-      const vessel = { title: name, length_m, beam_m, draught_m: 0.13 * length_m, is_tug: true };
-      const built = this.ship(vessel, outline, 0, [steel, panes]);
+      const draught_m = 0.13 * length_m;
+      const vessel = { name, title: name, length_m, beam_m, draught_m, is_tug: true };
+      const built = this.ship(vessel, outline, 0, paints);
       this.built.add(built.group);
       return built;
     });
@@ -385,10 +401,10 @@ export class Picture {
   }
 
   private ship(
-    vessel: Vessel,
+    vessel: Vessel & { name: string },
     outline: Pair[],
     index: number,
-    [steel, panes]: [Mesh["material"], Mesh["material"]],
+    { steel, panes, alphabet }: Paints,
     lines: LineInfo[] = [],
   ): Omit<Ship, "body" | "index"> {
     const arrangement = arrangementOf(vessel, outline);
@@ -404,6 +420,7 @@ export class Picture {
     const hull = new Mesh(geometryOf(parts.painted), steel);
     hull.castShadow = hull.receiveShadow = true;
     group.add(hull, new Mesh(geometryOf(parts.panes), panes));
+    group.add(alphabet.mesh(letteringOf(arrangement, vessel.name, alphabet.widthOf)));
     return {
       arrangement,
       blocks: blocksOf(arrangement),
@@ -542,6 +559,7 @@ export class Picture {
     const { x, y, z } = this.camera.position;
     this.sea.tick([x, y, z], t_s, frame.wind);
     this.sea.wake(this.wakes(frame, bodies, traffic));
+    this.sea.jets(this.jets(frame, hello));
     this.dome.position.copy(this.camera.position);
     this.shadow(look);
     this.renderer.render(this.scene, this.headset.runs ? this.headset.camera : this.camera);
@@ -1024,12 +1042,6 @@ export class Picture {
         const info = ship.body >= 0 ? frame.vessels[ship.index] : undefined;
         const eyes = frame.eyes?.body === ship.body ? frame.eyes : undefined;
         const ahead = now[3] * Math.cos(now[2]) + now[4] * Math.sin(now[2]);
-        const azimuths = info?.azimuths ?? [];
-        // Azimuth units wash where they point; astern of her counts.
-        const wash = azimuths.length
-          ? azimuths.reduce((sum, a) => sum + a.power * Math.cos(a.direction_rad), 0) /
-            azimuths.length
-          : (info?.shaft.now ?? 0);
         return [
           {
             at: [group.position.x, 0, group.position.z],
@@ -1037,12 +1049,35 @@ export class Picture {
             length_m: arrangement.length_m,
             beam_m: arrangement.beam_m,
             speed_mps: (eyes ?? info)?.water_mps[0] ?? ahead,
-            wash,
+            // Azimuth units have jets.
+            wash: info?.azimuths.length ? 0 : (info?.shaft.now ?? 0),
             away: Math.hypot(group.position.x - x, group.position.z - z),
           },
         ];
       })
       .toSorted((a, b) => a.away - b.away);
+  }
+
+  /** The jets of thrusters and azimuth units. */
+  private jets(frame: Frame, hello: Hello): PlacedJet[] {
+    const ofShips = this.ships.flatMap(({ body, index, group, arrangement }) => {
+      const [info, now] = [hello.vessels[index], frame.vessels[index]];
+      if (body < 0 || !info || !now || !group.visible) return [];
+      return jetsOf(arrangement, info, now).map((jet) => ({ jet, group }));
+    });
+    const ofTugs = hello.tugs.flatMap((info, i) => {
+      const [now, built] = [frame.tugs[i], this.tugs[i]];
+      if (!now || !built?.group.visible) return [];
+      const force = { force_n: now.force_n, pulls: now.order === "pull" };
+      const jets = jetOfTug(built.arrangement, force, info.bollard_pull_n);
+      return jets.map((jet) => ({ jet, group: built.group }));
+    });
+    return [...ofShips, ...ofTugs].map(({ jet, group }) => ({
+      ...jet,
+      at: this.worldOf(group, aboard(jet.at_m, 0)),
+      // A group turns against the compass.
+      to_rad: jet.to_rad - group.rotation.y,
+    }));
   }
 
   private drawn = 0;

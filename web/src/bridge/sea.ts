@@ -20,6 +20,7 @@ import {
 } from "three";
 import { type Triple, smooth } from "./axes";
 import { chance } from "./fittings";
+import type { Jet } from "./wash";
 import { SKY_GLSL, type SkyUniforms } from "./sky";
 import { FEW, drawnOf } from "./waves";
 import type { Pair, Wave, WindNow } from "../protocol";
@@ -34,6 +35,8 @@ export const FINE: Grid = { sectors: 300, wider: 0.025 };
 const COARSE: Grid = { sectors: 112, wider: 0.07 };
 /** Places of ships whose wash and wake the sea draws. */
 const MOST_WAKES = 6;
+/** Jets of thrusters and azimuth units that the sea draws: the nearest. */
+const MOST_JETS = 10;
 
 /** Harmonics fade out where a ring is wider than so many radians of them. */
 const FADES: Pair = [2, 3];
@@ -139,6 +142,11 @@ export interface Wake {
   wash: number;
 }
 
+/** A jet in the axes of the picture. */
+export interface PlacedJet extends Jet {
+  at: Triple;
+}
+
 export class Sea {
   readonly mesh: Mesh;
   private readonly material: ShaderMaterial;
@@ -150,6 +158,8 @@ export class Sea {
   private readonly wind = new Vector2();
   private readonly water = new Vector3();
   private readonly shapes = Array.from({ length: MOST_WAKES }, () => new Vector4());
+  private readonly jetPlaces = Array.from({ length: MOST_JETS }, () => new Vector4());
+  private readonly jetShapes = Array.from({ length: MOST_JETS }, () => new Vector2());
 
   /** `cheap`: for a machine that draws on the processor: a coarser disc, the strongest harmonics alone. */
   constructor(
@@ -171,6 +181,9 @@ export class Sea {
         uWakes: { value: this.wakes },
         uShapes: { value: this.shapes },
         uWakeCount: { value: 0 },
+        uJets: { value: this.jetPlaces },
+        uJetShapes: { value: this.jetShapes },
+        uJetCount: { value: 0 },
       },
       vertexShader: VERTEX,
       fragmentShader: FRAGMENT,
@@ -217,6 +230,16 @@ export class Sea {
     this.set("uWakeCount", Math.min(MOST_WAKES, all.length));
   }
 
+  jets(all: PlacedJet[]): void {
+    const away = ({ at }: PlacedJet) => Math.hypot(at[0] - this.eye.x, at[2] - this.eye.z);
+    const near = all.toSorted((a, b) => away(a) - away(b)).slice(0, MOST_JETS);
+    near.forEach(({ at, to_rad, power, wide_m }, i) => {
+      this.jetPlaces[i]?.set(at[0], at[2], Math.sin(to_rad), -Math.cos(to_rad));
+      this.jetShapes[i]?.set(power, wide_m);
+    });
+    this.set("uJetCount", near.length);
+  }
+
   tick(eye: Triple, t_s: number, wind: WindNow): void {
     this.mesh.position.set(eye[0], 0, eye[2]);
     this.eye.set(...eye);
@@ -255,6 +278,7 @@ void main() {
 const FRAGMENT = /* glsl */ `
 uniform vec3 uEye; uniform float uTime; uniform vec2 uWind; uniform sampler2D uRipples; uniform vec3 uWater;
 uniform vec4 uWakes[${MOST_WAKES}]; uniform vec4 uShapes[${MOST_WAKES}]; uniform int uWakeCount;
+uniform vec4 uJets[${MOST_JETS}]; uniform vec2 uJetShapes[${MOST_JETS}]; uniform int uJetCount;
 varying vec3 vAt; varying vec2 vSlope;
 ${SKY_GLSL}
 vec3 ripple(vec2 p) { vec3 t = texture2D(uRipples, p).xyz; return vec3(t.xy * 2.0 - 1.0, t.z); }
@@ -299,6 +323,21 @@ void main() {
     float arm = exp(-pow((across - 0.36 * s.y - 0.34 * (half_ - along)) / (1.2 + 0.03 * (half_ - along)), 2.0)) * fast * exp(-(half_ - along) / (0.8 * s.x)) * step(along, half_);
     foam += wash + 0.9 * bow + 0.5 * arm;
     smooth_ += smoothstep(breadth * 1.8, breadth * 0.8, across) * smoothstep(-4.0, 20.0, astern) * exp(-max(astern, 0.0) / 700.0) * fast;
+  }
+  for (int i = 0; i < ${MOST_JETS}; i++) {
+    if (i >= uJetCount) break;
+    vec4 j = uJets[i]; vec2 s = uJetShapes[i];
+    vec2 d = vAt.xz - j.xy;
+    float along = dot(d, j.zw);
+    // A strong jet is seen farther: the water slows as it spreads.
+    float reach = s.y * (2.0 + 7.0 * s.x);
+    if (along < -s.y || along > 4.0 * reach) continue;
+    float across = abs(dot(d, vec2(-j.w, j.z)));
+    float breadth = 0.6 * s.y + 0.16 * max(along, 0.0);
+    if (across > 1.5 * breadth) continue;
+    float thrown = sqrt(s.x) * smoothstep(-s.y, 0.5 * s.y, along) * exp(-max(along, 0.0) / reach) * smoothstep(1.5 * breadth, 0.35 * breadth, across);
+    foam += 0.95 * thrown;
+    smooth_ += 0.8 * thrown;
   }
   slope *= 1.0 - 0.55 * clamp(smooth_, 0.0, 1.0);
   float lather = (ripple(p / 6.0 - vec2(uTime * 0.02)).x + ripple(p / 21.0 + 0.3).y) * 1.3 + 0.5 * ripple(p / 70.0 + 0.6).x;

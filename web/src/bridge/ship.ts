@@ -1,9 +1,10 @@
 /** Ships: hull, deck, house, bridge and cargo as one list of triangles, and their windows as another. */
 import { type Arrangement, STOREY_M } from "./arrangement";
+import { containers } from "./containers";
 import { smooth } from "./axes";
-import { type Paint, type Parts, chance, railing, windowBand } from "./fittings";
+import { type Paint, type Parts, railing, windowBand } from "./fittings";
 import { isLong, mastheads } from "./lamps";
-import { type Colour, Solids, type Spot } from "./solids";
+import { Solids, type Spot } from "./solids";
 import { tugParts } from "./tug";
 import type { Pair } from "../protocol";
 
@@ -24,12 +25,6 @@ const BOOT_M = 0.35;
 /** Height of the bulwark at the bow [m]. */
 const BULWARK_M = 1.2;
 const TUG_BULWARK_M = 0.9;
-
-/** Colours of containers. */
-const BOXES: Colour[] = [
-  0x47617a, 0x7d4a3f, 0x53685a, 0x9a8152, 0x7b7f83, 0x5a3d43, 0x3a4d61, 0x8f6043, 0xb9bab5,
-  0x44595a,
-];
 
 /** `fairleads`: places of the fairleads of the lines, as (forward, to starboard, above the water) [m]. */
 export function shipParts(ship: Arrangement, paint: Paint, fairleads: Spot[] = []): Parts {
@@ -391,105 +386,6 @@ function pipes(ship: Arrangement, to: Solids): void {
         0.7,
         0x8f5b45,
       );
-}
-
-/** Bays of containers with lashing bridges; a stack has more or fewer tiers. Only boxes that can be seen are built. */
-function containers(ship: Arrangement, to: Solids): void {
-  const { hull, house, length_m, deck_m, bridge } = ship;
-  const [wide, high, long] = [2.5, 2.6, 12.2];
-  const base = deck_m + 2.2;
-  const pitch = 14.3;
-  const first = hull.aft_m + 0.03 * length_m;
-  const bays = Math.floor((0.9 * length_m) / pitch);
-  for (let bay = 0; bay < bays; bay++) {
-    const aft = first + bay * pitch;
-    if (aft + long > house.aft_m - 2 && aft < house.fore_m + 2.5) continue;
-    if (length_m > 260 && Math.abs(aft + long / 2 - (hull.aft_m + 0.11 * length_m)) < 14) continue;
-    const half = Math.min(...hull.breadth(aft), ...hull.breadth(aft + long)) - 0.4;
-    const rows = Math.floor((2 * half) / wide);
-    if (rows < 2) continue;
-    // Lower towards the bow, so that the bridge sees the water.
-    const sight =
-      (house.bridge_deck_m + 1 - base) *
-      (1 - 0.55 * smooth(0, 1, (aft - bridge.fore_m) / (0.5 * length_m)));
-    const most = Math.max(
-      1,
-      Math.min(
-        7,
-        Math.floor((aft > house.fore_m ? sight - 1.5 : house.bridge_deck_m - base) / high),
-      ),
-    );
-    const tiers = Array.from({ length: rows }, (_, row) =>
-      Math.max(1, most - Math.floor(2.4 * chance(bay, row, length_m) ** 3)),
-    );
-    to.box([aft - 0.2, -half, deck_m], [aft + long + 0.2, half, base], 0x3d4a44);
-    tiers.forEach((count, row) => {
-      const s = -0.5 * rows * wide + row * wide;
-      for (let tier = 0; tier < count; tier++) {
-        const colour = BOXES[Math.floor(chance(bay, row, tier, 7) * BOXES.length)] ?? 0x555555;
-        const [low, top] = [base + tier * high, base + (tier + 1) * high - 0.04];
-        const [a, b] = [aft, aft + long];
-        // Ends, outer sides and the top: the faces between stacks are never seen.
-        to.face(
-          [
-            [b, s, low],
-            [b, s + wide - 0.06, low],
-            [b, s + wide - 0.06, top],
-            [b, s, top],
-          ],
-          [1, 0, 0],
-          colour,
-        );
-        to.face(
-          [
-            [a, s, low],
-            [a, s + wide - 0.06, low],
-            [a, s + wide - 0.06, top],
-            [a, s, top],
-          ],
-          [-1, 0, 0],
-          colour,
-        );
-        if (tier === count - 1)
-          to.face(
-            [
-              [a, s, top],
-              [b, s, top],
-              [b, s + wide - 0.06, top],
-              [a, s + wide - 0.06, top],
-            ],
-            [0, 0, 1],
-            colour,
-          );
-        if (tier >= (tiers[row - 1] ?? 0))
-          to.face(
-            [
-              [a, s, low],
-              [b, s, low],
-              [b, s, top],
-              [a, s, top],
-            ],
-            [0, -1, 0],
-            colour,
-          );
-        if (tier >= (tiers[row + 1] ?? 0))
-          to.face(
-            [
-              [a, s + wide - 0.06, low],
-              [b, s + wide - 0.06, low],
-              [b, s + wide - 0.06, top],
-              [a, s + wide - 0.06, top],
-            ],
-            [0, 1, 0],
-            colour,
-          );
-      }
-    });
-    const top = base + 2 * high;
-    for (const s of [-half, -half / 2, 0, half / 2, half])
-      to.box([aft + long + 0.5, s - 0.2, deck_m], [aft + long + 1.1, s + 0.2, top], 0x55605b);
-    to.box([aft + long + 0.4, -half, top - 0.2], [aft + long + 1.2, half, top], 0x55605b);
-  }
 }
 
 /** The weather deck of a ship that carries vehicles: vents, and a ramp at her quarter. */
