@@ -19,6 +19,7 @@ import { Editor } from "./editor";
 import { EXAMPLES, titleOf } from "./examples";
 import type { Heard, Job } from "./messages";
 import { Maker } from "./maker";
+import { bytesOf, isModel, textOf } from "./model_text";
 import { Outcome } from "./outcome";
 import { Runner } from "./runner";
 import { Timeline } from "./timeline";
@@ -27,6 +28,8 @@ import { Timeline } from "./timeline";
 const SETTLED_MS = 350;
 /** The largest file that is taken (bytes). Scenarios have some kilobytes; the editor stays quick up to here. */
 const LARGEST_FILE = 4 << 20;
+/** The program takes texts of 16 MB, and base64 has a third more characters than a model has bytes. */
+const LARGEST_MODEL = 8 << 20;
 /** From this width on the editor has a column of its own. */
 const WIDE = "(min-width: 1400px)";
 
@@ -58,6 +61,9 @@ export class Workbench {
   private info: ScenarioInfo | null = null;
   private file = "";
   private files: Record<string, string> = {};
+  /** The bytes of a model among the files of the scenario. */
+  private readonly model = (_: number, file: string): Promise<ArrayBuffer> =>
+    Promise.resolve(bytesOf(this.files[file] ?? ""));
   private plan: Plan | null = null;
   private tabs: Tab[] = [];
   private tabRow: TabRow | null = null;
@@ -95,6 +101,7 @@ export class Workbench {
   private readonly pane = new Pane(this.live, {
     share: (how) => this.share(how),
     say: (text) => this.say(text),
+    model: this.model,
   });
 
   constructor(root: HTMLElement) {
@@ -170,18 +177,22 @@ export class Workbench {
     const all = [...(list ?? [])];
     this.picked.value = "";
     if (all.length === 0) return;
-    const large = all.find((file) => file.size > LARGEST_FILE);
+    const large = all.find(
+      ({ name, size }) => size > (isModel(name) ? LARGEST_MODEL : LARGEST_FILE),
+    );
     if (large) {
       const size = (large.size / 1e6).toFixed(0);
-      this.say(`${large.name} has ${size} MB: this page takes scenarios of up to 4 MB.`);
+      const most = isModel(large.name) ? "models of up to 8 MB" : "scenarios of up to 4 MB";
+      this.say(`${large.name} has ${size} MB: this page takes ${most}.`);
       return;
     }
     const texts: Record<string, string> = {};
     for (const file of all) {
       try {
-        texts[file.name] = new TextDecoder("utf-8", { fatal: true }).decode(
-          await file.arrayBuffer(),
-        );
+        const bytes = await file.arrayBuffer();
+        texts[file.name] = isModel(file.name)
+          ? textOf(bytes)
+          : new TextDecoder("utf-8", { fatal: true }).decode(bytes);
       } catch {
         this.say(`${file.name} is not UTF-8 text: a scenario is a file of text in TOML.`);
         return;
@@ -327,7 +338,7 @@ export class Workbench {
     const worst = new Worst();
     for (const frame of this.frames) worst.hear(frame, hello);
     const moment = worst.found(last.run);
-    return moment && drawMoment(moment, last);
+    return moment && drawMoment(moment, last, this.model);
   }
 
   private lost(why: string): void {

@@ -68,6 +68,14 @@ interface Tab {
   button: HTMLButtonElement;
 }
 
+/** The user's model of a vessel, from the server. */
+async function fetchModel(vessel: number): Promise<ArrayBuffer> {
+  const token = new URLSearchParams(location.search).get("token") ?? "";
+  const answer = await fetch(`model?token=${encodeURIComponent(token)}&vessel=${vessel}`);
+  if (!answer.ok) throw new Error((await answer.text()).slice(0, 200));
+  return answer.arrayBuffer();
+}
+
 export class App implements Page {
   readonly live = new Live();
   readonly trial = new Trial();
@@ -95,7 +103,11 @@ export class App implements Page {
   /** The view out of the window. */
   private readonly pane = new Pane(
     this.live,
-    { share: (how) => this.share(how), say: (text) => this.say(text) },
+    {
+      share: (how) => this.share(how),
+      say: (text) => this.say(text),
+      model: fetchModel,
+    },
     location.search,
   );
   private shared: Share = this.pane.asked === null ? "plan" : "view";
@@ -225,7 +237,7 @@ export class App implements Page {
     const { hello, frame } = this.live;
     if (!hello || !frame?.fenders.some(({ touched }) => touched)) return null;
     const moment = this.worst.found(frame.run);
-    if (moment) return drawMoment(moment, frame);
+    if (moment) return drawMoment(moment, frame, fetchModel);
     return {
       none: "this page has not seen that moment. Picture of the largest fender load, in the tab Verdict, goes there, and the next report has the picture",
     };

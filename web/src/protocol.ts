@@ -416,6 +416,27 @@ export type BodyInfo = {
   fixed: boolean;
   /** Corners of the body's outline, in the axes of the body (m). */
   outline: Array<[number, number]>;
+  /** The outlines of a body whose outline differs with height, from the lowest up; empty for other bodies. */
+  levels: Array<LevelInfo>;
+};
+
+/**
+ * The outline of a body at a height. Between two outlines the side is straight, from each corner of one outline to the
+ * same corner of the next outline.
+ */
+export type LevelInfo = {
+  /** Height above the waterline of a floating body at rest, or above datum on a fixed body (m). */
+  height_m: number;
+  /** Corners of the outline, in the axes of the body (m). */
+  outline: Array<[number, number]>;
+};
+
+/** A model of a ship: a binary glTF file, which the server sends for `/model?token=…&vessel=N`. */
+export type ModelInfo = {
+  /** Name of the file, as the scenario gives the name. */
+  file: string;
+  /** Place of the model's origin, which is amidships on the waterline, in the axes of the body (m). */
+  origin_m: [number, number];
 };
 
 export type VesselInfo = {
@@ -430,6 +451,8 @@ export type VesselInfo = {
   kind: ShipType | null;
   /** Place of the eye on the bridge; `null`: the usual place for her type. */
   conning: ConningInfo | null;
+  /** The user's model of the ship for the view; `null`: the view draws the ship. */
+  model: ModelInfo | null;
   /** Least under-keel clearance of the vessel without a caution (m). */
   under_keel_limit_m: number;
   /** Largest angle of the rudder (rad); `null` if the vessel has no rudder. */

@@ -4,6 +4,7 @@ mod alarms;
 mod files;
 mod ghost;
 mod instruments;
+mod model;
 mod mooring;
 mod people;
 mod restart;

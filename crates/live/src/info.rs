@@ -9,8 +9,8 @@ use fenderline_sim::mooring::InboardEnd;
 use fenderline_sim::order::{OrderName, SidePlace, TargetKind, Word, towline};
 use fenderline_sim::passing::PassingSetup;
 use fenderline_sim::{
-    AnchorSetup, BollardSetup, LineEnd, LineHandling, MooringSetup, Setup, ShipType, TugSetup,
-    VesselSetup,
+    AnchorSetup, BollardSetup, HullByHeight, Level, LineEnd, LineHandling, MooringSetup, Setup,
+    ShipType, TugSetup, VesselSetup,
 };
 
 use crate::berth;
@@ -18,8 +18,8 @@ use crate::cast::Cast;
 use crate::chart_info::chart_infos;
 use crate::message::{
     AnchorInfo, AzimuthInfo, BodyInfo, BollardInfo, ChartInfo, ConningInfo, DaylightInfo,
-    FenderInfo, LineEndInfo, LineInfo, OrderInfo, TelegraphInfo, ThrusterInfo, TrafficInfo,
-    TugInfo, VesselInfo,
+    FenderInfo, LevelInfo, LineEndInfo, LineInfo, ModelInfo, OrderInfo, TelegraphInfo,
+    ThrusterInfo, TrafficInfo, TugInfo, VesselInfo,
 };
 use crate::order_info::{order_infos, telegraph};
 use crate::pair::pair;
@@ -82,8 +82,9 @@ impl Info {
             // The shore is on the chart already.
             outline: match body.outline.is_of_parts() {
                 true => Vec::new(),
-                false => body.outline.vertices().iter().map(|&at| pair(at)).collect(),
+                false => pairs(body.outline.vertices()),
             },
+            levels: body.hull.as_ref().map_or_else(Vec::new, level_infos),
         });
         let fenders = setup.fenders.iter().map(|fender| FenderInfo {
             name: fender.name.clone(),
@@ -133,6 +134,23 @@ impl Info {
     }
 }
 
+fn pairs(corners_m: &[Vec2]) -> Vec<[f64; 2]> {
+    corners_m.iter().map(|&at| pair(at)).collect()
+}
+
+/// The outlines of a hull; none if the hull has upright sides.
+fn level_infos(hull: &HullByHeight) -> Vec<LevelInfo> {
+    let levels = hull.levels();
+    if levels.windows(2).all(|two| two[0].vertices_m == two[1].vertices_m) {
+        return Vec::new();
+    }
+    let info = |level: &Level| LevelInfo {
+        height_m: level.height_m - hull.draught_m(),
+        outline: pairs(&level.vertices_m),
+    };
+    levels.iter().map(info).collect()
+}
+
 /// The harmonics of a sea that have a height.
 fn harmonics(sea: &Sea) -> Vec<[f64; 5]> {
     let there = sea.components().iter().filter(|wave| wave.amplitude_m > 0.0);
@@ -145,8 +163,7 @@ fn harmonics(sea: &Sea) -> Vec<[f64; 5]> {
 }
 
 fn traffic_info(ship: &PassingSetup) -> TrafficInfo {
-    let outline = ship.outline_m.iter().map(|&at| pair(at)).collect();
-    TrafficInfo { name: ship.name.clone(), outline }
+    TrafficInfo { name: ship.name.clone(), outline: pairs(&ship.outline_m) }
 }
 
 fn vessel_info(setup: &Setup, cast: &Cast, index: usize) -> VesselInfo {
@@ -186,6 +203,11 @@ fn vessel_info(setup: &Setup, cast: &Cast, index: usize) -> VesselInfo {
             at_m: [conning.at_m.x - ahead_m, conning.at_m.y],
             eye_above_water_m: conning.eye_above_water_m,
         }),
+        model: vessel
+            .looks
+            .model
+            .as_ref()
+            .map(|model| ModelInfo { file: model.file.clone(), origin_m: [-ahead_m, 0.0] }),
         under_keel_limit_m: vessel.under_keel_caution_m(),
         rudder_stop_rad: propelled.then_some(vessel.rudder.stop),
         full_rps: propelled.then_some(vessel.shaft.stop),

@@ -340,6 +340,19 @@ pub struct BodyInfo {
     pub fixed: bool,
     /// Corners of the body's outline, in the axes of the body (m).
     pub outline: Vec<Pair>,
+    /// The outlines of a body whose outline differs with height, from the lowest up; empty for other bodies.
+    pub levels: Vec<LevelInfo>,
+}
+
+/// The outline of a body at a height. Between two outlines the side is straight, from each corner of one outline to the
+/// same corner of the next outline.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(TS))]
+pub struct LevelInfo {
+    /// Height above the waterline of a floating body at rest, or above datum on a fixed body (m).
+    pub height_m: f64,
+    /// Corners of the outline, in the axes of the body (m).
+    pub outline: Vec<Pair>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -357,6 +370,8 @@ pub struct VesselInfo {
     pub kind: Option<&'static str>,
     /// Place of the eye on the bridge; `null`: the usual place for her type.
     pub conning: Option<ConningInfo>,
+    /// The user's model of the ship for the view; `null`: the view draws the ship.
+    pub model: Option<ModelInfo>,
     /// Least under-keel clearance of the vessel without a caution (m).
     pub under_keel_limit_m: f64,
     /// Largest angle of the rudder (rad); `null` if the vessel has no rudder.
@@ -377,6 +392,16 @@ pub struct VesselInfo {
     pub orders: Vec<&'static str>,
     /// The vessel's passage plan; `null` if the vessel has no plan.
     pub plan: Option<PlanInfo>,
+}
+
+/// A model of a ship: a binary glTF file, which the server sends for `/model?token=…&vessel=N`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(TS))]
+pub struct ModelInfo {
+    /// Name of the file, as the scenario gives the name.
+    pub file: String,
+    /// Place of the model's origin, which is amidships on the waterline, in the axes of the body (m).
+    pub origin_m: Pair,
 }
 
 /// The place from which a ship is conned.

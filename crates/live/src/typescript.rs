@@ -236,6 +236,8 @@ fn protocol() -> String {
         BerthInfo,
         ChartInfo,
         BodyInfo,
+        LevelInfo,
+        ModelInfo,
         VesselInfo,
         ConningInfo,
         PlanInfo,

@@ -3,8 +3,8 @@
 use crate::support;
 
 use fenderline_contact::{Rotation, vec2};
-use fenderline_live::Session;
 use fenderline_live::message::{Frame, LineEndInfo, RunState};
+use fenderline_live::{Session, Source};
 use serde_json::{Value, json};
 
 fn frame(session: &Session) -> Frame {
@@ -43,6 +43,76 @@ fn fenders_bollards_and_lines_have_the_heights_of_the_run() {
         })
         .collect();
     assert!(!heights.is_empty() && heights.iter().all(|&height_m| height_m == 4.0), "{heights:?}");
+}
+
+#[test]
+fn a_hull_by_outlines_at_several_heights_is_drawn_by_them_and_upright_sides_by_one_outline() {
+    let session = support::open("scenarios/berth/bow_flare_on_a_fender.toml", &[]);
+    let (setup, info) = (session.simulation().setup(), session.info());
+    let ship = info.bodies.iter().position(|body| body.name == "ship").unwrap();
+    let levels = &info.bodies[ship].levels;
+    // Outlines at 2 m, 8 m and 16 m above the keel, and a draught of 8 m.
+    let heights: Vec<f64> = levels.iter().map(|level| level.height_m).collect();
+    assert_eq!(heights, [-6.0, 0.0, 8.0]);
+    let hull = setup.bodies[ship].hull.as_ref().unwrap();
+    for (shown, given) in levels.iter().zip(hull.levels()) {
+        let given: Vec<[f64; 2]> = given.vertices_m.iter().map(|at| [at.x, at.y]).collect();
+        assert_eq!(shown.outline, given);
+    }
+    // Vessels that heave and roll have upright sides by height: one outline says all.
+    assert!(setup.bodies.len() > 1 && info.bodies[1 - ship].levels.is_empty());
+    let berthing = support::open("scenarios/live/berthing.toml", &[]);
+    assert!(berthing.info().bodies.iter().all(|body| body.levels.is_empty()));
+}
+
+/// The text that stands for a binary glTF file without content: magic, version 2, length 12.
+const MODEL: &str = "Z2xURgIAAAAMAAAA";
+
+fn with_model(key: &str, text: &str) -> Result<Session, String> {
+    let path = support::repository("scenarios/live/harbour.toml");
+    let toml = std::fs::read_to_string(&path).expect("the scenario");
+    let toml = format!(
+        "{toml}\n[vessel.modelled]\nfrom = \"bulk-carrier\"\n{key}\n[body.guest]\nvessel = \"modelled\"\nposition = [3000, 3000]\n"
+    );
+    let read = |file: &str| match file.strip_suffix(".glb") {
+        Some(_) => Ok(text.to_owned()),
+        None => fenderline_scenario::read_text(&path.with_file_name(file)),
+    };
+    let (source, _) =
+        Source::collect("harbour.toml", toml, vec![], read).map_err(|error| error.to_string())?;
+    Ok(Session::open(source).expect("a good set-up"))
+}
+
+#[test]
+fn a_model_of_a_ship_is_kept_with_the_session_and_told_to_the_pages() {
+    let mut session = with_model("model = \"guest.glb\"", MODEL).unwrap();
+    let setup = session.simulation().setup();
+    let guest = session.info().vessels.iter().position(|vessel| vessel.name == "guest").unwrap();
+    let told = session.info().vessels[guest].model.clone().expect("a model");
+    assert_eq!(told.file, "guest.glb");
+    // Midship, seen from the centre of gravity.
+    let ahead_m = setup.world.vessels[guest].ship.particulars.centre_of_gravity_m;
+    assert_eq!(told.origin_m, [-ahead_m, 0.0]);
+    let bytes = |session: &Session| {
+        let vessels = &session.simulation().setup().world.vessels;
+        vessels[guest].looks.model.clone().expect("a model").bytes
+    };
+    assert_eq!(&*bytes(&session), b"glTF\x02\0\0\0\x0c\0\0\0");
+    support::go(&mut session, 5);
+    let again = support::replay(&support::saved(&mut session)).expect("a sound recording").session;
+    assert_eq!(bytes(&again), bytes(&session), "the recording has the model");
+    assert!(session.info().vessels.iter().filter(|vessel| vessel.model.is_some()).count() == 1);
+}
+
+#[test]
+fn a_broken_model_is_refused_with_key_and_line() {
+    let why = |key: &str, text: &str| with_model(key, text).err().expect("a refusal");
+    let error = why("model = \"guest.glb\"", "UEsDBA==");
+    for words in ["vessel.modelled.model", "does not begin with glTF", "harbour.toml:", "Blender"] {
+        assert!(error.contains(words), "{words}: {error}");
+    }
+    let error = why("model = \"harbour.geojson\"", MODEL);
+    assert!(error.contains("ends with .glb"), "{error}");
 }
 
 #[test]

@@ -59,6 +59,7 @@ mod files;
 mod hydrodynamics;
 mod library;
 mod load;
+mod model;
 mod order;
 mod scenario;
 mod schema;

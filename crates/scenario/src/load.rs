@@ -4,13 +4,16 @@ use core::fmt;
 use std::io::Read;
 use std::path::Path;
 
+use crate::model;
 use crate::scenario::Scenario;
-use fenderline_keys::bounded_file::{read_stream_of, read_text_of};
+use fenderline_keys::bounded_file::{read_bytes, read_stream_of, read_text_of};
 use fenderline_keys::error::ScenarioError;
 use fenderline_keys::overrides::Override;
 
 /// Size of the largest file that the program reads (bytes): a survey of 4 million values has some 28 MB.
 const LARGEST_FILE: u64 = 64 << 20;
+/// Size of the largest model of a ship (bytes): its text in base64 is a third longer.
+const LARGEST_MODEL: u64 = 32 << 20;
 /// Size of the largest text that the program reads from a stream (bytes).
 const LARGEST_STREAM: u64 = 16 << 20;
 
@@ -68,12 +71,18 @@ impl Scenario {
     }
 }
 
-/// Reads the text of a regular file of at most 64 MiB.
+/// Reads the text of a regular file of at most 64 MiB. The text of a model of a ship (`.glb`), which is no text, is its
+/// bytes in base64.
 ///
 /// # Errors
 /// Returns a text with the file's name and the reason why the file cannot be read.
 pub fn read_text(path: &Path) -> Result<String, String> {
-    read_text_of(path, LARGEST_FILE).map_err(|error| error.to_string())
+    let read = if model::is_model(&path.to_string_lossy()) {
+        read_bytes(path, LARGEST_MODEL).map(|bytes| model::text_of(&bytes))
+    } else {
+        read_text_of(path, LARGEST_FILE)
+    };
+    read.map_err(|error| error.to_string())
 }
 
 /// Reads the text of a stream of at most 16 MiB, such as standard input, and waits for the end of the stream. Errors

@@ -532,7 +532,8 @@ fn full() -> Json {
                 },
                 "wave_response": "response.csv",
                 "stability": { "gm": 1.5, "gravity_above_keel": 10, "waterplane_area": 3000 },
-                "kind": "container", "conning": { "at": [-40, 0], "eye_height": "22 m" }
+                "kind": "container", "conning": { "at": [-40, 0], "eye_height": "22 m" },
+                "model": "feeder.glb"
             },
             "tanker": {
                 "from": "kvlcc2", "propeller": { "full": "106 rpm" },

@@ -140,6 +140,7 @@ impl Engine {
         engine
             .make_tokens()
             .map_err(|e| format!("there are no random numbers for the links: {e}"))?;
+        engine.show_models();
         engine.keep_seats();
         Ok(engine)
     }

@@ -60,6 +60,7 @@ pub(crate) async fn serve(listener: TcpListener, site: Arc<Site>) {
     let app = Router::new()
         .route("/live", any(live))
         .route("/report", any(report))
+        .route("/model", any(model))
         .fallback(file)
         .with_state(Arc::clone(&site));
     let connections = Connections::of(MOST_CONNECTIONS);
@@ -145,9 +146,14 @@ async fn live(
 
 /// The role that belongs to the token in an address.
 fn role(site: &Site, uri: &Uri) -> Option<Role> {
-    let token = uri.query().unwrap_or("").split('&').find_map(|pair| pair.strip_prefix("token="));
+    let token = value(uri, "token=");
     let tokens = site.hub.tokens.read().unwrap_or_else(PoisonError::into_inner);
     tokens.role(token.unwrap_or(""))
+}
+
+/// What follows `name` in the query of an address.
+fn value<'u>(uri: &'u Uri, name: &str) -> Option<&'u str> {
+    uri.query().unwrap_or("").split('&').find_map(|pair| pair.strip_prefix(name))
 }
 
 /// True if the client says by its address that it is a program, so that people take controls from it.
@@ -188,6 +194,32 @@ async fn report(State(site): State<Arc<Site>>, request: Request) -> Response {
     (headers, Body::from(latest.as_bytes().to_vec())).into_response()
 }
 
+/// Sends the model of a vessel, as the scenario gives it, for the view out of the window: `/model?token=…&vessel=N`.
+async fn model(State(site): State<Arc<Site>>, request: Request) -> Response {
+    if let Err(why) = site.known_hosts.host(request.headers()) {
+        return refused(&site, why);
+    }
+    if !matches!(*request.method(), Method::GET | Method::HEAD) {
+        return plain(StatusCode::METHOD_NOT_ALLOWED, "only the methods GET and HEAD are allowed");
+    }
+    if role(&site, request.uri()).is_none() {
+        return refused(&site, "only the links of the session open its models");
+    }
+    let vessel = value(request.uri(), "vessel=").and_then(|number| number.parse::<usize>().ok());
+    let models = site.hub.models.read().unwrap_or_else(PoisonError::into_inner);
+    let Some(Some(model)) = vessel.and_then(|vessel| models.get(vessel)) else {
+        return plain(StatusCode::NOT_FOUND, "the session has no model of such a vessel");
+    };
+    let headers = [
+        (CONTENT_TYPE, "model/gltf-binary"),
+        (X_CONTENT_TYPE_OPTIONS, "nosniff"),
+        (REFERRER_POLICY, "no-referrer"),
+        (CACHE_CONTROL, "no-store"),
+        (CONNECTION, "close"),
+    ];
+    (headers, Body::from(model.bytes.to_vec())).into_response()
+}
+
 /// Closes a websocket by the function `close`, which tells the client the reason. If too many other websockets are
 /// being closed, closes the websocket without telling the reason.
 fn turn_away<F: Future<Output = ()> + Send + 'static>(
@@ -220,10 +252,10 @@ async fn file(State(site): State<Arc<Site>>, request: Request) -> Response {
     };
     // The page loads nothing from other sites: no script, no frame, no form. The policy contains the address of the
     // websocket because older browsers do not count it as `self`. It contains `unsafe-inline` because the page's
-    // scripts set styles of elements.
+    // scripts set styles of elements, and `blob:` because the pictures on a model of a ship are parts of its file.
     let policy = format!(
-        "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data:; \
-         font-src 'self'; connect-src 'self' ws://{host} wss://{host}; manifest-src 'self'; \
+        "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; \
+         font-src 'self'; connect-src 'self' blob: ws://{host} wss://{host}; manifest-src 'self'; \
          base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
     );
     let headers = [

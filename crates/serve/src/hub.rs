@@ -7,6 +7,7 @@ use std::sync::{Arc, RwLock};
 use fenderline_live::message::{self, EventNow, Reply, Role};
 use fenderline_live::{Refusal, Request};
 use fenderline_nautical::read::ControlOrder;
+use fenderline_sim::ShipModel;
 use tokio::sync::{mpsc, watch};
 
 use super::claims::ClientId;
@@ -144,6 +145,8 @@ pub(crate) struct Hub {
     pub(crate) tokens: RwLock<Tokens>,
     /// The latest report of the session, as HTML.
     pub(crate) report: RwLock<Option<Text>>,
+    /// The models of the session's vessels for the view, in the order of the vessels.
+    pub(crate) models: RwLock<Vec<Option<ShipModel>>>,
     watching: Arc<Seats>,
     steering: Arc<Seats>,
     pub(crate) log: Log,
@@ -160,6 +163,7 @@ impl Hub {
             sentences: watch::Sender::new(None),
             tokens: RwLock::new(Tokens::default()),
             report: RwLock::default(),
+            models: RwLock::default(),
             watching: Seats::of(MOST_WATCHING),
             steering: Seats::of(MOST_STEERING),
             log: Log::new(notify),

@@ -150,6 +150,7 @@ const MAY_BE_IDLE: &[(&str, &str)] = &[
     ("environment.place*", "of live pages"),
     ("vessel.*.conning*", "of live pages"),
     ("vessel.*.kind", "of live pages"),
+    ("vessel.*.model", "of live pages"),
     ("event.at", "of a change of the visibility, which is of live pages"),
     ("event.visibility*", "of live pages"),
     ("environment.depth", "without vessels `check` uses it: no fender is under the seabed"),

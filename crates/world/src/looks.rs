@@ -1,6 +1,8 @@
 //! What the pages' view out of the window needs and no force depends on: the type of a ship, the place of her bridge, and
 //! where and when the run is, for the sun.
 
+use std::sync::Arc;
+
 use fenderline_contact::Vec2;
 
 use crate::chart::GeographicPlace;
@@ -56,13 +58,26 @@ pub struct Conning {
     pub eye_above_water_m: f64,
 }
 
+/// A model of a ship for the view, in place of the hull and the deck that the view draws: a binary glTF file (`.glb`).
+/// Lengths of the model are metres, its y axis points up, its z axis points ahead, and its origin is amidships on the
+/// waterline at rest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShipModel {
+    /// Name of the file, as the scenario gives the name.
+    pub file: String,
+    /// Content of the file.
+    pub bytes: Arc<[u8]>,
+}
+
 /// How the view shows a ship. No force depends on the looks.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Looks {
     /// The type of the ship; `None`: the view takes the type from the words of the ship's title.
     pub ship_type: Option<ShipType>,
     /// The place from which the ship is conned; `None`: the view takes a usual place for the type.
     pub conning: Option<Conning>,
+    /// The model of the ship; `None`: the view draws the ship by type and size.
+    pub model: Option<ShipModel>,
 }
 
 /// Where and when a run begins, for the place of the sun.

@@ -2,9 +2,10 @@
  * General arrangement of a vessel: what stands where on her deck. The messages give length, beam, draught, outline and title;
  * freeboard, house and bridge are ours, in proportions that are usual for the type (from memory, not from a source).
  */
-import { Hull, ends } from "./hull";
+import { Hull } from "./hull";
+import { ends } from "./hull_ends";
 import { USUAL_EYE_M } from "./look";
-import type { ConningInfo, Pair } from "../protocol";
+import type { ConningInfo, LevelInfo, Pair } from "../protocol";
 
 export type Kind = "bulk" | "tanker" | "container" | "ro-ro" | "passenger" | "tug";
 
@@ -37,6 +38,8 @@ export interface Vessel {
   kind?: Kind | null;
   /** The place of the eye on the bridge that the scenario gives. */
   conning?: ConningInfo | null;
+  /** Her outlines at several heights, if the scenario gives them. */
+  levels?: LevelInfo[];
 }
 
 const KINDS: [RegExp, Kind][] = [
@@ -73,16 +76,19 @@ const PROPORTIONS: Record<Kind, { freeboard: number; storeys(length_m: number): 
 /** The arrangement of a vessel with an outline [forward, starboard]. */
 export function arrangementOf(vessel: Vessel, outline: Pair[]): Arrangement {
   const kind = kindOf(vessel);
-  const [aft, fore] = ends(outline);
-  const [length_m, beam_m] = [fore - aft, vessel.beam_m];
+  const { levels = [], beam_m } = vessel;
+  // A hull by outlines at several heights ends with the highest.
+  const [aft, fore] = ends(levels.at(-1)?.outline ?? outline);
+  const length_m = fore - aft;
   const { freeboard, storeys } = PROPORTIONS[kind];
-  const deck_m = Math.max(0.6, freeboard * beam_m);
+  const deck_m = Math.max(0.6, levels.at(-1)?.height_m ?? freeboard * beam_m);
   const isTug = kind === "tug";
   const hull = new Hull({
     outline,
     draught_m: vessel.draught_m,
     freeboard_m: deck_m,
-    sheer_m: isTug ? 0.1 * beam_m : kind === "ro-ro" ? 0 : 0.016 * length_m,
+    levels,
+    sheer_m: levels.length > 0 ? 0 : isTug ? 0.1 * beam_m : kind === "ro-ro" ? 0 : 0.016 * length_m,
     rake_m: isTug ? 0.02 * length_m : 0.025 * length_m,
     counter_m: isTug ? 0.12 * length_m : 0.085 * length_m,
   });

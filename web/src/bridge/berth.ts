@@ -6,7 +6,7 @@
 import type { Colour, Spot } from "./solids";
 import { Solids } from "./solids";
 import { add, dot, length, minus, times, turned } from "../geometry";
-import type { FenderInfo, Pair } from "../protocol";
+import type { FenderInfo, LevelInfo, Pair } from "../protocol";
 import { wrapped } from "../units";
 
 /** Height of a quay above datum where nothing tells it and tides are small [m]. */
@@ -58,15 +58,45 @@ export const isDolphin = (outline: Pair[]): boolean => {
   return Math.max(span(0), span(1)) <= DOLPHIN_M;
 };
 
-/** A fixed body, in its own axes. `cut`: splits a ring without holes into triangles of indices. */
+/**
+ * A fixed body, in its own axes. `cut`: splits a ring without holes into triangles of indices. `levels`: its outlines at several
+ * heights above datum, where there are some.
+ */
 export function fixedParts(
   outline: Pair[],
   deck_m: number,
   cut: (ring: Pair[]) => number[][],
   to: Solids,
+  levels: LevelInfo[] = [],
 ): void {
-  if (isDolphin(outline)) dolphin(outline, deck_m, to);
+  const top = levels.at(-1);
+  if (top) {
+    faces(levels, to);
+    quay(top.outline, deck_m, cut, to, top.height_m);
+  } else if (isDolphin(outline)) dolphin(outline, deck_m, to);
   else quay(outline, deck_m, cut, to);
+}
+
+/** The sides of a body between its outlines, and upright below the lowest. */
+function faces(levels: LevelInfo[], to: Solids): void {
+  const [lowest] = levels;
+  if (lowest) walls(lowest.outline, [BELOW_M, lowest.height_m], CONCRETE, "outside", to);
+  levels.slice(1).forEach((high, i) => {
+    const low = levels[i] ?? high;
+    const sign = area2(low.outline) > 0 ? 1 : -1;
+    low.outline.forEach((a, k) => {
+      const next = (k + 1) % low.outline.length;
+      const [b, c, d] = [low.outline[next], high.outline[next], high.outline[k]];
+      if (!b || !c || !d) return;
+      const corners: Spot[] = [
+        [...a, low.height_m],
+        [...b, low.height_m],
+        [...c, high.height_m],
+        [...d, high.height_m],
+      ];
+      to.face(corners, [sign * (b[1] - a[1]), -sign * (b[0] - a[0]), 0], CONCRETE);
+    });
+  });
 }
 
 /** Walls along a ring, seen from outside the ring, or from inside. */
@@ -135,10 +165,12 @@ export function quay(
   deck_m: number,
   cut: (ring: Pair[]) => number[][],
   to: Solids,
+  /** Where the upright wall begins [m]. */
+  from_m = BELOW_M,
 ): void {
   const kerb = inset(outline, 0.35);
   const cope = inset(outline, 1.1);
-  walls(outline, [BELOW_M, deck_m + 0.25], CONCRETE, "outside", to);
+  walls(outline, [from_m, deck_m + 0.25], CONCRETE, "outside", to);
   band(outline, kerb, deck_m + 0.25, EDGE, to);
   // The kerb's back.
   walls(kerb, [deck_m, deck_m + 0.25], COPE, "inside", to);

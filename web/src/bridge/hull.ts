@@ -1,20 +1,16 @@
 /**
- * The form of a hull, lofted from the outline that contact uses, the draught and a freeboard: upright sides amidships, where
- * the outline is kept to the centimetre, flare and rake at the bow, a counter at the stern. Below the water the form is ours:
- * the messages give no lines of the hull.
+ * The form of a hull. From outlines at several heights it is the surface that contact uses. From one outline, the draught and a
+ * freeboard it is lofted: upright sides amidships, where the outline is kept to the centimetre, flare and rake at the bow, a
+ * counter at the stern; below the water this form is ours.
  */
 import { smooth } from "./axes";
+import { ends } from "./hull_ends";
+import { cornersAlong, reach, ringAt } from "./levels";
 import type { Spot } from "./solids";
-import type { Pair } from "../protocol";
+import type { LevelInfo, Pair } from "../protocol";
 
 /** How far the outline reaches to port and to starboard at a distance forward of midship [m]. */
 export type Breadth = (forward_m: number) => Pair;
-
-/** Ends of an outline: aftmost and foremost [m]. */
-export function ends(outline: Pair[]): Pair {
-  const all = outline.map(([forward]) => forward);
-  return [Math.min(...all), Math.max(...all)];
-}
 
 /**
  * The breadth of an outline. Between the corners of a side the breadth is a monotone cubic (Fritsch and Carlson 1980, from
@@ -80,9 +76,15 @@ export interface HullForm {
   rake_m: number;
   /** How far forward of the stern the keel ends [m]. */
   counter_m: number;
+  /** Outlines at several heights, from the lowest up; the hull ends at the highest. Empty: one outline. */
+  levels: LevelInfo[];
 }
 
 const SMOOTH_FROM = 0.62;
+/** Top of the bottom paint above the water that the ship floats at [m]: her load line lies a little higher. */
+export const BOOT_M = 0.35;
+/** Heights between the bottom paint and the deck, as shares. */
+const SHARES = [0.15, 0.4, 0.7, 1];
 
 export class Hull {
   readonly breadth: Breadth;
@@ -92,8 +94,14 @@ export class Hull {
   private readonly half_m: number;
 
   constructor(readonly form: HullForm) {
-    this.breadth = breadthOf(form.outline);
-    [this.aft_m, this.fore_m] = ends(form.outline);
+    const top = form.levels.at(-1)?.outline;
+    this.breadth = top
+      ? (forward_m) => {
+          const [port, starboard] = reach(top, forward_m);
+          return [Math.max(0, -port), Math.max(0, starboard)];
+        }
+      : breadthOf(form.outline);
+    [this.aft_m, this.fore_m] = ends(top ?? form.outline);
     this.middle_m = (this.aft_m + this.fore_m) / 2;
     this.half_m = (this.fore_m - this.aft_m) / 2;
   }
@@ -110,6 +118,21 @@ export class Hull {
 
   /** The place of the hull's side at a station of the outline, at a height above the water [m]. `side`: 1 to starboard. */
   side(forward_m: number, up_m: number, side: 1 | -1): Spot {
+    return this.form.levels.length > 0
+      ? this.sideByLevels(forward_m, up_m, side)
+      : this.sideOfForm(forward_m, up_m, side);
+  }
+
+  private sideByLevels(forward_m: number, up_m: number, side: 1 | -1): Spot {
+    const ring = ringAt(this.form.levels, up_m);
+    const [aft, fore] = ends(ring);
+    const along = (forward_m - this.aft_m) / Math.max(1e-6, this.fore_m - this.aft_m);
+    const at = aft + Math.min(1, Math.max(0, along)) * (fore - aft);
+    const [port, starboard] = reach(ring, at);
+    return [at, side > 0 ? starboard : port, up_m];
+  }
+
+  private sideOfForm(forward_m: number, up_m: number, side: 1 | -1): Spot {
     const { draught_m, rake_m, counter_m, freeboard_m, sheer_m } = this.form;
     const [port, starboard] = this.breadth(forward_m);
     const full = side > 0 ? starboard : port;
@@ -137,9 +160,38 @@ export class Hull {
 
   /** Stations from the stern to the stem, closer towards both ends [m]. */
   stations(count: number): number[] {
-    return Array.from(
+    const even = Array.from(
       { length: count + 1 },
       (_, i) => this.middle_m - this.half_m * Math.cos((Math.PI * i) / count),
     );
+    const corners = cornersAlong(this.form.levels).map(
+      (share) => this.aft_m + share * 2 * this.half_m,
+    );
+    return [...new Set([...even, ...corners])].toSorted((a, b) => a - b);
+  }
+
+  /** Heights above the water at which the side has its own forms, from the keel to a height [m]. */
+  heights(till_m: number): number[] {
+    const { draught_m, levels } = this.form;
+    if (levels.length > 0)
+      return [
+        ...new Set([
+          -draught_m,
+          ...levels.map(({ height_m }) => height_m),
+          ...[0, BOOT_M, till_m].filter((up) => up <= till_m),
+        ]),
+      ]
+        .filter((up) => up <= till_m)
+        .toSorted((a, b) => a - b);
+    const bilge_m = 0.25 * draught_m;
+    return [
+      -draught_m,
+      -draught_m + bilge_m * 0.3,
+      -draught_m + bilge_m,
+      -draught_m * 0.35,
+      0,
+      BOOT_M,
+      ...SHARES.map((share) => BOOT_M + share * (till_m - BOOT_M)),
+    ];
   }
 }

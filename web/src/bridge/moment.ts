@@ -1,5 +1,6 @@
 /** Draws the moment of the largest fender load for a report, beside the view of the page, from a kept frame. */
 import type { Look } from "./look";
+import type { Options } from "./picture";
 import { isSoftware } from "./software";
 import { Live } from "../live";
 import type { Pair } from "../protocol";
@@ -48,7 +49,11 @@ export function wordsOf({ hello, frame, fender }: Moment): string {
 }
 
 /** `latest`: the last frame of the run, whose peaks tell whether the page has seen the largest load. */
-export async function drawMoment(moment: Moment, latest: Moment["frame"]): Promise<Drawn> {
+export async function drawMoment(
+  moment: Moment,
+  latest: Moment["frame"],
+  model: Options["model"],
+): Promise<Drawn> {
   const { hello, frame, fender } = moment;
   const late = hadMore(moment, latest, hello)
     ? " This page has not seen the peak: it is the largest load that the page has seen."
@@ -58,9 +63,11 @@ export async function drawMoment(moment: Moment, latest: Moment["frame"]): Promi
     const live = new Live();
     live.welcome(hello);
     live.tick(frame, 0);
-    const picture = new Picture(document.createElement("canvas"), live, { cheap: isSoftware() });
+    const canvas = document.createElement("canvas");
+    const picture = new Picture(canvas, live, { cheap: isSoftware(), model });
     try {
       picture.build(hello, live.seenBodies(0));
+      await picture.dressed;
       const still = picture.still(...SIZE, { ...LOOK, fender }, 0);
       return { image: jpeg(still), words: wordsOf(moment) + late };
     } finally {

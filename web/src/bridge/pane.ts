@@ -71,6 +71,8 @@ export interface Around {
   /** Shares the place with the plan, and closes the view. */
   share(how: Share): void;
   say(text: string): void;
+  /** The bytes of the user's model of a vessel, by its number and the name of its file. Fails with the reason. */
+  model(vessel: number, file: string): Promise<ArrayBuffer>;
 }
 
 export class Pane {
@@ -207,7 +209,10 @@ export class Pane {
     this.tell("Loading the view …");
     try {
       const { Picture } = await import("./picture");
-      this.picture = new Picture(this.canvas, this.live, { cheap: isSoftware() });
+      this.picture = new Picture(this.canvas, this.live, {
+        cheap: isSoftware(),
+        model: (vessel, file) => this.around.model(vessel, file),
+      });
       this.picture.palette(this.palette);
       this.state = "open";
       this.tell("");
@@ -340,7 +345,7 @@ export class Pane {
             : ` (${side_rad < 0 ? "P" : "S"} ${fixed(Math.abs(toDegrees(side_rad)), 0)}°)`;
     setText(
       this.caption,
-      `${words.replace(/^./, (c) => c.toUpperCase())}${whose ? `, ${whose}` : ""}: ${heading(bearing_rad, 0)}${relative}, ${elevation_rad < 0 ? "down" : "up"} ${fixed(Math.abs(toDegrees(elevation_rad)), 0)}°, view ${fixed(toDegrees(view_rad), 0)}°${this.detail < 1 ? "; coarse, because this machine draws slowly" : ""}${this.lift()}`,
+      `${words.replace(/^./, (c) => c.toUpperCase())}${whose ? `, ${whose}` : ""}: ${heading(bearing_rad, 0)}${relative}, ${elevation_rad < 0 ? "down" : "up"} ${fixed(Math.abs(toDegrees(elevation_rad)), 0)}°, view ${fixed(toDegrees(view_rad), 0)}°${this.detail < 1 ? "; coarse, because this machine draws slowly" : ""}${this.lift()}${this.picture.troubles.map((each) => `; ${each}`).join("")}`,
     );
     setAttribute(
       this.canvas,

@@ -77,7 +77,16 @@ import { clamp, onEarth, turned } from "../geometry";
 import { ghostAt, ghostText } from "../ghost";
 import { type Live, isOfTug } from "../live";
 import type { PaletteName } from "../palette";
-import type { BodyNow, ChartInfo, Frame, Hello, LineInfo, LineNow, Pair } from "../protocol";
+import type {
+  BodyNow,
+  ChartInfo,
+  Frame,
+  Hello,
+  LevelInfo,
+  LineInfo,
+  LineNow,
+  Pair,
+} from "../protocol";
 import { tugOutline, tugPlace } from "../vector_tug";
 
 /** Picture of a vessel, or of a ship that passes. */
@@ -90,6 +99,8 @@ interface Ship {
   /** What hides words behind her. */
   blocks: Block[];
   group: Group;
+  /** What is drawn of her, in whose place a model may stand. */
+  drawn: Mesh[];
   lamps: Record<Conduct, Lamp[]>;
 }
 
@@ -128,7 +139,12 @@ const MEASURED_WORDS_UP_M = 9;
 /** Half the side of the square that casts shadows [m]. */
 const SHADOW_M = 170;
 
+/** Longest reason for which a model is not drawn. */
+const LONGEST_WHY = 120;
+
 export interface Options {
+  /** The bytes of the user's model of a vessel. */
+  model(vessel: number, file: string): Promise<ArrayBuffer>;
   /** A software renderer smooths no edges, casts no shadows and has fewer trees: it would draw too seldom. */
   cheap: boolean;
 }
@@ -173,6 +189,10 @@ export class Picture {
   private decks: number[] = [];
   /** Outlines of the decks of fixed bodies, in the body's frame. */
   private decked: Pair[][][] = [];
+  /** What is wrong with models of ships, in words. */
+  troubles: string[] = [];
+  /** Until the models of ships are in their places, or known not to be. */
+  dressed: Promise<unknown> = Promise.resolve();
   private chosen: PaletteName = "day";
   /** Elevation and azimuth of the sun whose light is on, in whole tenths of a degree. */
   private shining = "";
@@ -229,11 +249,7 @@ export class Picture {
   }
 
   private clear(): void {
-    this.built.traverse((each) => {
-      if (!(each instanceof Mesh)) return;
-      each.geometry.dispose();
-      for (const material of [each.material].flat()) material.dispose();
-    });
+    dispose(this.built);
     this.built.clear();
   }
 
@@ -289,13 +305,13 @@ export class Picture {
     const alphabet = new Alphabet(FIGURES + names.map(painted).join(""), this.shared);
     const paints = { steel, panes, alphabet };
     this.ships = [];
-    this.bodies = hello.bodies.map(({ fixed, outline }, i) => {
+    this.bodies = hello.bodies.map(({ fixed, outline, levels }, i) => {
       const group = new Group();
       const vessel = hello.vessels.findIndex(({ body }) => body === i);
       if (fixed) {
         const parts = new Solids();
         const deck_m = this.decks[i] ?? this.heights.quay_m;
-        if (outline.length > 0) fixedParts(outline, deck_m, cut, parts);
+        if (outline.length > 0) fixedParts(outline, deck_m, cut, parts, levels);
         else for (const ring of this.decked[i] ?? []) quay(ring, deck_m, cut, parts);
         const mesh = new Mesh(geometryOf(parts), concrete);
         mesh.receiveShadow = mesh.castShadow = true;
@@ -303,7 +319,7 @@ export class Picture {
       } else if (outline.length >= 3) {
         const info = hello.vessels[vessel];
         const name = hello.bodies[i]?.name ?? "";
-        const known = { ...(info ?? unknown(outline, name)), name };
+        const known = { ...(info ?? unknown(outline, name, levels)), name, levels };
         const lines = hello.lines.filter(({ ship }) => ship === i);
         const look = vessel >= 0 ? vessel : i;
         const built = this.ship(known, outline, look, paints, lines);
@@ -329,6 +345,8 @@ export class Picture {
       this.built.add(built.group);
       return built;
     });
+    this.troubles = [];
+    this.dressed = Promise.all(this.ships.map((ship) => this.dress(ship, hello)));
     this.furnish(hello, steel);
     this.fenders = new Fenders(
       hello.fenders,
@@ -391,6 +409,10 @@ export class Picture {
 
   /** Height of the deck of a fixed body above datum [m]. */
   private deckOf(hello: Hello, body: number): number {
+    const { fixed, levels } = hello.bodies[body] ?? { fixed: false, levels: [] };
+    // The highest outline of a fixed body is its deck.
+    const top = fixed ? levels.at(-1) : undefined;
+    if (top) return top.height_m;
     return deckHeight(
       endsOn(hello, body),
       hello.fenders
@@ -419,14 +441,41 @@ export class Picture {
     const group = new Group();
     const hull = new Mesh(geometryOf(parts.painted), steel);
     hull.castShadow = hull.receiveShadow = true;
-    group.add(hull, new Mesh(geometryOf(parts.panes), panes));
-    group.add(alphabet.mesh(letteringOf(arrangement, vessel.name, alphabet.widthOf)));
+    const letters = alphabet.mesh(letteringOf(arrangement, vessel.name, alphabet.widthOf));
+    const drawn = [hull, new Mesh(geometryOf(parts.panes), panes), letters];
+    group.add(...drawn);
     return {
       arrangement,
       blocks: blocksOf(arrangement),
       group,
+      drawn,
       lamps: lampsOf(arrangement),
     };
+  }
+
+  /** Puts the user's model of a ship in the place of what is drawn of her, when it is loaded. */
+  private async dress({ body, index, group, drawn, arrangement }: Ship, hello: Hello) {
+    const info = body >= 0 ? hello.vessels[index]?.model : null;
+    if (!info) return;
+    const { file, origin_m } = info;
+    try {
+      const [{ modelOf }, bytes] = await Promise.all([
+        import("./model"),
+        this.options.model(index, file),
+      ]);
+      const { length_m } = arrangement;
+      const { group: model, note } = await modelOf(bytes, { file, length_m }, this.shared);
+      // Another scenario may be shown by now.
+      if (this.hello !== hello) return dispose(model);
+      model.position.set(...aboard(origin_m, 0));
+      group.add(model);
+      for (const each of drawn) each.visible = false;
+      if (note) this.troubles.push(note);
+    } catch (error) {
+      const why = error instanceof Error ? error.message : String(error);
+      if (this.hello === hello)
+        this.troubles.push(`${file} cannot be drawn (${why.slice(0, LONGEST_WHY)})`);
+    }
   }
 
   /** The quays of a shore, which has no outline in the messages. */
@@ -1107,12 +1156,21 @@ export class Picture {
   }
 }
 
+/** Gives back what the meshes of a group hold on the graphics. */
+function dispose(group: Group): void {
+  group.traverse((each) => {
+    if (!(each instanceof Mesh)) return;
+    each.geometry.dispose();
+    for (const material of [each.material].flat()) material.dispose();
+  });
+}
+
 const deg = (rad: number): number => (rad * 180) / Math.PI;
 const lampColour = (colour: string | null): LampColour =>
   colour === "red" || colour === "green" || colour === "yellow" ? colour : "white";
 
 /** A body without a vessel: her size is that of her outline, her draught that of usual ships. */
-function unknown(outline: Pair[], name: string): Vessel {
+function unknown(outline: Pair[], name: string, levels: LevelInfo[] = []): Vessel {
   const span = (axis: 0 | 1) => {
     const all = outline.map((p) => p[axis]);
     return Math.max(...all) - Math.min(...all);
@@ -1121,7 +1179,8 @@ function unknown(outline: Pair[], name: string): Vessel {
     title: name,
     length_m: span(0),
     beam_m: span(1),
-    draught_m: 0.33 * span(1),
+    // The lowest of several outlines is near the keel.
+    draught_m: levels[0] ? Math.max(0.5, -levels[0].height_m) : 0.33 * span(1),
     is_tug: false,
   };
 }

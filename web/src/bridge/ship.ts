@@ -2,6 +2,7 @@
 import { type Arrangement, STOREY_M } from "./arrangement";
 import { containers } from "./containers";
 import { smooth } from "./axes";
+import { BOOT_M } from "./hull";
 import { type Paint, type Parts, railing, windowBand } from "./fittings";
 import { isLong, mastheads } from "./lamps";
 import { Solids, type Spot } from "./solids";
@@ -18,9 +19,6 @@ export const PAINTS: Paint[] = [
   { bottom: 0x7d2a22, side: 0x1f3f66, deck: 0x4f6154, house: WHITE, funnel: 0xb5552a },
   { bottom: 0x74302a, side: 0x3c3f42, deck: 0x5f6a60, house: 0xe6e2d4, funnel: 0x29543c },
 ];
-
-/** Top of the bottom paint above the water that the ship floats at [m]: her load line lies a little higher. */
-const BOOT_M = 0.35;
 
 /** Height of the bulwark at the bow [m]. */
 const BULWARK_M = 1.2;
@@ -45,29 +43,18 @@ export function shipParts(ship: Arrangement, paint: Paint, fairleads: Spot[] = [
 
 /** Shell, transom and deck. */
 export function hullParts({ hull, kind }: Arrangement, paint: Paint, to: Solids): void {
-  const { draught_m } = hull.form;
+  const { draught_m, levels } = hull.form;
   const stations = hull.stations(44);
-  const bilge_m = 0.25 * draught_m;
-  const shares = [0, 0.15, 0.4, 0.7, 1];
   const rail = kind === "tug" ? TUG_BULWARK_M : 0;
   for (const side of [1, -1] as const) {
     const column = (forward: number): Spot[] => {
-      const deck = hull.deck_m(forward) + rail;
-      const heights = [
-        -draught_m,
-        -draught_m + bilge_m * 0.3,
-        -draught_m + bilge_m,
-        -draught_m * 0.35,
-        0,
-        BOOT_M,
-        ...shares.slice(1).map((share) => BOOT_M + share * (deck - BOOT_M)),
-      ];
+      const heights = hull.heights(hull.deck_m(forward) + rail);
       return heights.map((up) => hull.side(forward, up, side));
     };
     const columns = stations.map(column);
     to.plate(
       columns,
-      (_, i) => (i < 5 ? paint.bottom : paint.side),
+      (j, i) => ((columns[j]?.[i]?.[2] ?? 0) < BOOT_M ? paint.bottom : paint.side),
       ([forward]) => {
         const bow = smooth(hull.fore_m - 4, hull.fore_m, forward);
         const stern = smooth(-hull.aft_m - 2, -hull.aft_m, -forward);
@@ -81,16 +68,18 @@ export function hullParts({ hull, kind }: Arrangement, paint: Paint, to: Solids)
     [hull.fore_m, 1],
   ] as const) {
     const wall = out > 0 && kind !== "tug" ? BULWARK_M : rail;
-    const heights = [-draught_m * 0.6, 0, BOOT_M, hull.deck_m(end), hull.deck_m(end) + wall];
+    const deck = hull.deck_m(end);
+    const below = levels.length > 0 ? hull.heights(deck) : [-draught_m * 0.6, 0, BOOT_M, deck];
+    const heights = [...below, deck + wall];
     const [starboard, port] = ([1, -1] as const).map((side) =>
       heights.map((up) => hull.side(end, up, side)),
     );
     heights.forEach((_, k) => {
       const corners = [starboard?.[k], starboard?.[k + 1], port?.[k + 1], port?.[k]];
       if (!corners.every((corner) => corner !== undefined)) return;
-      const colour = k < 2 ? paint.bottom : paint.side;
+      const colour = (heights[k] ?? 0) < BOOT_M ? paint.bottom : paint.side;
       to.face(corners, [out, 0, 0], colour);
-      if (k === 3) to.face(corners, [-out, 0, 0], paint.deck);
+      if (k + 2 === heights.length) to.face(corners, [-out, 0, 0], paint.deck);
     });
   }
   const across = (forward: number, up: number): Spot[] => {

@@ -202,6 +202,15 @@ table_keys! {
             "Place of the eye on the bridge, for the view out of the window of live pages.",
             &["{ at = [-60, 0], eye_height = \"28 m\" }"],
         ),
+        MODEL: Text = key(
+            "model",
+            Kind::FileName,
+            Means("the view draws the ship by her type, her size and her outline"),
+            "Binary glTF file (`.glb`) with a model of the ship, for the view out of the window of live pages. \
+             The model has metres, its y axis points up, its z axis points ahead, and its origin is amidships \
+             on the waterline at the ship's draught. No force depends on the model.",
+            &["\"feeder.glb\""],
+        ),
     }
 }
 

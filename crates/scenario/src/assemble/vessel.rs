@@ -8,10 +8,13 @@ use fenderline_contact::{BodyState, Vec2, vec2};
 use fenderline_sim::environment::waves::{DriftHull, MotionResponse};
 use fenderline_sim::hydro::actuator::RateLimited;
 use fenderline_sim::hydro::{AddedMass, Mmg, Ratio};
-use fenderline_sim::{BodySetup, Conning, Environment, Float, Looks, MassProperties, VesselSetup};
+use fenderline_sim::{
+    BodySetup, Conning, Environment, Float, Looks, MassProperties, ShipModel, VesselSetup,
+};
 
 use super::assembly::{Assembly, Checked};
 use super::response::estimate;
+use crate::model;
 use crate::vessels::{Belting, DeckPoint, VesselData, VesselLibrary, hydrostatics, own_vessel};
 use fenderline_keys::checked::{Entry, Of, Tables};
 use fenderline_keys::error::{Notice, ScenarioError};
@@ -164,14 +167,25 @@ fn mass_of(ship: &Mmg, water: f64) -> MassProperties {
     }
 }
 
-/// How the pages' view shows a vessel.
-fn looks(table: Of<'_, VesselKey>) -> Looks {
-    Looks {
-        ship_type: table.item(VesselKey::KIND).map(|item| item.choice()),
-        conning: table.item(VesselKey::CONNING).map(|item| Conning {
-            at_m: *item.table().given(ConningKey::AT).vector(),
-            eye_above_water_m: *item.table().given(ConningKey::EYE_HEIGHT).number(),
-        }),
+impl Assembly<'_, '_> {
+    /// How the pages' view shows a vessel.
+    fn looks(&self, table: Of<'_, VesselKey>) -> Checked<Looks> {
+        let model = table.item(VesselKey::MODEL).map(|item| {
+            let bytes = model::bytes_of(item.text(), self.files.text(item.text()));
+            bytes.map(|bytes| ShipModel { file: item.text().to_owned(), bytes }).map_err(|why| {
+                let path = table.path_to(item);
+                let message = format!("`{path}`: {}: {why}", quoted(item.text()));
+                self.sources.error(&item.item().span, &path, message).with_help(model::HELP)
+            })
+        });
+        Ok(Looks {
+            ship_type: table.item(VesselKey::KIND).map(|item| item.choice()),
+            conning: table.item(VesselKey::CONNING).map(|item| Conning {
+                at_m: *item.table().given(ConningKey::AT).vector(),
+                eye_above_water_m: *item.table().given(ConningKey::EYE_HEIGHT).number(),
+            }),
+            model: model.transpose()?,
+        })
     }
 }
 
@@ -233,7 +247,7 @@ impl Assembly<'_, '_> {
             let particulars = kind.setup.ship.particulars;
             let own_wind = self.own_wind(table, &particulars, kind.setup.windage.as_ref())?;
             kind.setup.windage = own_wind.or(kind.setup.windage);
-            kind.setup.looks = looks(table);
+            kind.setup.looks = self.looks(table)?;
             kind.setup.current_table = self.own_current(table, &particulars, environment)?;
             if let Some(table) = self.rao_table(table)? {
                 kind.setup.response = Some(MotionResponse::Table(table));

@@ -38,6 +38,13 @@ impl Engine {
         tokens.add(&self.roles())
     }
 
+    /// Makes the models of the session's vessels known to the threads that answer requests.
+    pub(super) fn show_models(&self) {
+        let vessels = &self.session.simulation().setup().world.vessels;
+        let models = vessels.iter().map(|vessel| vessel.looks.model.clone()).collect();
+        *self.hub.models.write().unwrap_or_else(PoisonError::into_inner) = models;
+    }
+
     pub(super) fn join(
         &mut self,
         client: ClientId,

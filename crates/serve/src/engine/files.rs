@@ -253,6 +253,7 @@ impl Engine {
         self.session = opened.session;
         self.recording_failed = false;
         self.claims.clear();
+        self.show_models();
         self.make_tokens().map_err(|e| e.to_string())?;
         self.events.clear();
         self.history = KeptHistory::default();
