@@ -95,6 +95,9 @@ export type Fault =
 /** Types of ships, by which the view draws them. */
 export type ShipType = "bulk" | "tanker" | "container" | "ro-ro" | "passenger" | "tug";
 
+/** Rain in the view out of the window. */
+export type Rain = "light" | "moderate" | "heavy";
+
 /** Kinds of features of a chart. */
 export type ChartKind =
   | "coverage"
@@ -194,6 +197,8 @@ export type Hello = {
   sea: Wave[];
   /** Where and when the run begins, for the sun; `null` if the scenario gives no time. */
   daylight: DaylightInfo | null;
+  /** Rain in the view; `null`: no rain. */
+  rain: Rain | null;
   /** The features of the chart, which pages draw behind ships and quays. */
   chart: Array<ChartInfo>;
   /** A measured ship, which takes part in nothing physical; absent if the session has none. */

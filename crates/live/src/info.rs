@@ -9,8 +9,8 @@ use fenderline_sim::mooring::InboardEnd;
 use fenderline_sim::order::{OrderName, SidePlace, TargetKind, Word, towline};
 use fenderline_sim::passing::PassingSetup;
 use fenderline_sim::{
-    AnchorSetup, BollardSetup, HullByHeight, Level, LineEnd, LineHandling, MooringSetup, Setup,
-    ShipType, TugSetup, VesselSetup,
+    AnchorSetup, BollardSetup, HullByHeight, Level, LineEnd, LineHandling, MooringSetup, Rain,
+    Setup, ShipType, TugSetup, VesselSetup,
 };
 
 use crate::berth;
@@ -67,6 +67,8 @@ pub struct Info {
     pub sea: Vec<[f64; 5]>,
     /// The field `daylight` of [`crate::message::Hello`].
     pub daylight: Option<DaylightInfo>,
+    /// The field `rain` of [`crate::message::Hello`].
+    pub rain: Option<&'static str>,
     /// The field `chart` of [`crate::message::Hello`].
     pub chart: Vec<ChartInfo>,
 }
@@ -129,6 +131,7 @@ impl Info {
                 latitude_rad: daylight.place.latitude_rad,
                 longitude_rad: daylight.place.longitude_rad,
             }),
+            rain: world.environment.rain.map(Rain::word),
             chart: chart_infos(&world.chart),
         }
     }

@@ -62,6 +62,9 @@ pub struct Hello<'a> {
     pub sea: &'a [[f64; 5]],
     /// Where and when the run begins, for the sun; `null` if the scenario gives no time.
     pub daylight: Option<DaylightInfo>,
+    /// Rain in the view; `null`: no rain.
+    #[cfg_attr(test, ts(type = "Rain | null"))]
+    pub rain: Option<&'static str>,
     /// The features of the chart, which pages draw behind ships and quays.
     pub chart: &'a [ChartInfo],
     /// A measured ship, which takes part in nothing physical; absent if the session has none.

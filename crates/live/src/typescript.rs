@@ -7,7 +7,7 @@ use std::fmt::Write;
 use fenderline_author::{BerthingSide, NewBerth, NewExercise, NewShip, NewTugs, NewWeather};
 use fenderline_sim::chart::{ChartKind, MarkColour, MarkMeaning, MarkShape, MarkSide};
 use fenderline_sim::order::{Lead, SidePlace, TugWord, Word};
-use fenderline_sim::{Fault, ShipType};
+use fenderline_sim::{Fault, Rain, ShipType};
 use ts_rs::{Config, TS};
 
 use crate::action::{AnchorFault, CommandLimits, OtherAction};
@@ -180,6 +180,12 @@ fn protocol() -> String {
         "ShipType",
         "Types of ships, by which the view draws them.",
         ShipType::ALL.map(ShipType::word).into_iter(),
+    );
+    words(
+        into,
+        "Rain",
+        "Rain in the view out of the window.",
+        Rain::ALL.map(Rain::word).into_iter(),
     );
     words(
         into,

@@ -103,6 +103,7 @@ impl Watched {
             clearance_datum_m: info.clearance_datum_m,
             sea: &info.sea,
             daylight: info.daylight,
+            rain: info.rain,
             chart: &info.chart,
             ghost: None,
             exercise: self.exercise().map(|of| exercise::info(of, self.simulation().setup())),

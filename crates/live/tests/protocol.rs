@@ -76,6 +76,7 @@ fn messages(session: &Session) -> (Value, Value) {
         clearance_datum_m: info.clearance_datum_m,
         sea: &info.sea,
         daylight: info.daylight,
+        rain: info.rain,
         chart: &info.chart,
         exercise: session.exercise_info(),
         ghost: None,

@@ -217,5 +217,8 @@ fn a_scenario_says_where_and_when_she_sails_what_she_is_and_where_her_bridge_is(
         session.simulation().setup().world.vessels[0].ship.particulars.centre_of_gravity_m;
     assert_eq!(conning.at_m, [-60.0 - ahead_m, 2.0]);
     assert_eq!(conning.eye_above_water_m, 24.0);
+    let rain = |set: &[&str]| support::open("scenarios/live/berthing.toml", set).info().rain;
+    assert_eq!(rain(&["environment.rain=\"heavy\""]), Some("heavy"));
+    assert_eq!(rain(&[]), None);
     assert!(support::open("scenarios/live/berthing.toml", &[]).info().daylight.is_none());
 }

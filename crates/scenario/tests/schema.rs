@@ -503,7 +503,7 @@ fn full() -> Json {
             "wind": { "speed": "12 m/s", "from": "270 deg", "gusts": true, "gust_admittance": false, "seed": 3 },
             "current": { "speed": "1 kn", "towards": "10 deg" },
             "bank": [{ "from": [-500, 90], "to": [500, 90], "method": "image" }], "visibility": "500 m",
-            "start_time": "2026-06-21T05:30+02:00",
+            "rain": "moderate", "start_time": "2026-06-21T05:30+02:00",
             "place": { "latitude": "53.5 deg", "longitude": "9.9 deg" },
             "interaction": { "between_vessels": true, "midship_coefficient": 0.95, "sections": "outline" },
             "waves": {

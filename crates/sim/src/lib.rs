@@ -215,7 +215,7 @@ pub use fenderline_world::fender::{
     FenderSetup, FenderSource, FenderSummary, HullMet, HullPressure, Rated,
 };
 pub use fenderline_world::hull::{HullByHeight, HullError, HullTouch, Level, SideMissed};
-pub use fenderline_world::looks::{Conning, Daylight, Looks, ShipModel, ShipType};
+pub use fenderline_world::looks::{Conning, Daylight, Looks, Rain, ShipModel, ShipType};
 pub use fenderline_world::named::called;
 pub use fenderline_world::order::{
     Action, AnchorAction, LineAction, Order, OrderError, OrderName, Station, VesselAction,

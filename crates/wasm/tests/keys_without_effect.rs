@@ -146,6 +146,7 @@ const MAY_BE_IDLE: &[(&str, &str)] = &[
     ("bollard_row.*.number", "more bollards beyond the one that is used"),
     ("chart*", "drawn on pages"),
     ("environment.visibility", "of live pages"),
+    ("environment.rain", "of live pages"),
     ("environment.start_time", "of live pages"),
     ("environment.place*", "of live pages"),
     ("vessel.*.conning*", "of live pages"),

@@ -1,5 +1,5 @@
-//! What the pages' view out of the window needs and no force depends on: the type of a ship, the place of her bridge, and
-//! where and when the run is, for the sun.
+//! What the pages' view out of the window needs and no force depends on: the type of a ship, the place of her bridge, rain,
+//! and where and when the run is, for the sun.
 
 use std::sync::Arc;
 
@@ -78,6 +78,32 @@ pub struct Looks {
     pub conning: Option<Conning>,
     /// The model of the ship; `None`: the view draws the ship by type and size.
     pub model: Option<ShipModel>,
+}
+
+/// Rain in the view. No force and no visibility depends on the rain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rain {
+    /// Light rain, of some 2 mm in an hour.
+    Light,
+    /// Moderate rain, of some 5 mm in an hour.
+    Moderate,
+    /// Heavy rain, of 10 mm in an hour or more.
+    Heavy,
+}
+
+impl Rain {
+    /// Every rain.
+    pub const ALL: [Rain; 3] = [Rain::Light, Rain::Moderate, Rain::Heavy];
+
+    /// The word of the rain in scenarios and messages.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Rain::Light => "light",
+            Rain::Moderate => "moderate",
+            Rain::Heavy => "heavy",
+        }
+    }
 }
 
 /// Where and when a run begins, for the place of the sun.

@@ -26,6 +26,7 @@ import { cut } from "./blocks";
 import { PIECES, catenary, draped, weightOf } from "./catenary";
 import { type Conduct, conductOf } from "./conduct";
 import { type Seat, seatAtBollard, seatOn } from "./eyes";
+import { Drift, MOST_MARKS } from "./drift";
 import { Fenders, geometryOf, middleOf } from "./fenders";
 import type { Paint } from "./fittings";
 import { Headset } from "./headset";
@@ -62,6 +63,7 @@ import {
   resampled,
   tugLabel,
 } from "./in_picture";
+import { RAINS, RainFall } from "./rain";
 import { Ropes } from "./ropes";
 import { type PlacedJet, Sea, type Wake } from "./sea";
 import { PAINTS, shipParts } from "./ship";
@@ -136,6 +138,9 @@ const CABLE_RADIUS_M = 0.03;
 const ARROW_OVER_M = 0.7;
 /** How high the words of a measured ship stand above the water [m]. */
 const MEASURED_WORDS_UP_M = 9;
+/** Marks of the current: their height above the water, their colour and their thickness. */
+const FLOATS_M = 0.3;
+const FLOATING = { colour: 0xd7f3ff, radius_m: 0.14 };
 /** Half the side of the square that casts shadows [m]. */
 const SHADOW_M = 170;
 
@@ -157,6 +162,8 @@ export class Picture {
   private readonly direct = new DirectionalLight();
   private readonly ambient = new HemisphereLight();
   private readonly sea: Sea;
+  private readonly rain: RainFall;
+  private readonly drift = new Drift();
   private readonly dome = sky(this.shared);
   private readonly ropes = new Ropes(this.shared);
   private readonly strokes = new Ropes(this.shared);
@@ -203,6 +210,7 @@ export class Picture {
     private readonly options: Options,
   ) {
     this.sea = new Sea(this.shared, options.cheap);
+    this.rain = new RainFall(this.shared, options.cheap);
     this.renderer = new WebGLRenderer({
       canvas,
       antialias: !options.cheap,
@@ -229,6 +237,7 @@ export class Picture {
       this.direct.target,
       this.ropes.mesh,
       this.strokes.mesh,
+      this.rain.lines,
       this.glows.points,
       this.built,
       this.headset.rig,
@@ -290,6 +299,8 @@ export class Picture {
     this.hello = hello;
     this.origin = originOf(hello, bodies);
     this.sea.sea(hello.sea, this.origin);
+    this.rain.rain(hello.rain);
+    this.shining = "";
     this.heights = heightsOf(hello.highest_water_m, knownQuays(hello));
     this.decks = hello.bodies.map((_, i) => this.deckOf(hello, i));
     this.decked = hello.bodies.map(({ fixed, outline }, i) =>
@@ -542,9 +553,11 @@ export class Picture {
     const { light } = this;
     const haze = density(visibility_m);
     // In fog the sun is a bright place at most.
-    const dim = visibility_m === null ? 1 : Math.min(1, visibility_m / 6000);
+    const wet = this.hello?.rain ? RAINS[this.hello.rain].grey : 0;
+    const dim = (visibility_m === null ? 1 : Math.min(1, visibility_m / 6000)) * (1 - 0.85 * wet);
     const direct: Triple = [light.direct[0] * dim, light.direct[1] * dim, light.direct[2] * dim];
-    const grey = (light.horizon[0] + light.horizon[1] + light.horizon[2]) / 3;
+    const [r, g, b] = light.horizon;
+    const grey = ((r + g + b) / 3) * (1 - 0.35 * wet);
     const dull = (c: Triple): Triple => [
       c[0] * dim + grey * 1.05 * (1 - dim),
       c[1] * dim + grey * 1.08 * (1 - dim),
@@ -597,16 +610,21 @@ export class Picture {
     } else this.aim(look, t_s);
     // Two strokes for an arrow.
     const arrows = 2 * (frame.contacts.length + hello.tugs.length);
-    this.strokes.room(hello.lines.length + arrows + MOST_GHOSTS + MEASURED_STROKES);
+    const marks = MOST_GHOSTS + MEASURED_STROKES + MOST_MARKS;
+    this.strokes.room(hello.lines.length + arrows + marks);
     this.strokes.begin();
     this.labels = [];
     this.lines(frame, hello, look.marks);
     this.measured(hello, t_s);
-    if (look.marks) this.mark(frame, hello, look);
+    if (look.marks) {
+      this.mark(frame, hello, look);
+      this.float(frame, t_s);
+    }
     this.strokes.end();
     this.lights(frame, bodies, t_s);
     const { x, y, z } = this.camera.position;
     this.sea.tick([x, y, z], t_s, frame.wind);
+    this.rain.tick(this.camera.position, t_s, frame.wind);
     this.sea.wake(this.wakes(frame, bodies, traffic));
     this.sea.jets(this.jets(frame, hello));
     this.dome.position.copy(this.camera.position);
@@ -926,6 +944,15 @@ export class Picture {
         this.stroke(each);
       this.labels.push(tugLabel([at[0], at[1] + 1.5, at[2]], info.name, now.force_n));
     });
+  }
+
+  /** The current, by marks on the water about the eye. */
+  private float(frame: Frame, t_s: number): void {
+    const { x, z } = this.camera.position;
+    const near: Pair = [this.origin[0] - z, this.origin[1] + x];
+    const place = (at: Pair) => toPicture(this.origin, at, FLOATS_M);
+    for (const [tail, head] of this.drift.marks(near, t_s, frame.current))
+      this.stroke({ points: resampled([place(tail), place(head)]), ...FLOATING });
   }
 
   /** The labels of the last drawing that no ship hides, on a picture of a size in CSS pixels. */

@@ -1,5 +1,6 @@
 //! Keys of wind, current, waves, water and banks.
 
+use fenderline_sim::Rain;
 use fenderline_sim::environment::BankMethod;
 use fenderline_sim::hydro::Squat;
 use serde_json::json;
@@ -35,6 +36,12 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
         })
     }),
 };
+
+static RAINS: Choices<Rain> = Choices(&[
+    Choice { word: Rain::Light.word(), value: Rain::Light, doc: "some 2 mm in an hour" },
+    Choice { word: Rain::Moderate.word(), value: Rain::Moderate, doc: "some 5 mm in an hour" },
+    Choice { word: Rain::Heavy.word(), value: Rain::Heavy, doc: "10 mm in an hour or more" },
+]);
 
 table_keys! {
     /// Keys of an environment.
@@ -128,6 +135,14 @@ table_keys! {
             "How far people see in a live session: the pages of pilot and tugmasters do not show ships that are farther \
              away.",
             &["\"500 m\""],
+        ),
+        RAIN: OneOf<Rain> = key(
+            "rain",
+            Kind::Choice(&RAINS),
+            Means("no rain"),
+            "Rain in the view out of the window of live pages. How far people see is `visibility`; no force depends on \
+             the rain.",
+            &["\"moderate\""],
         ),
         START_TIME: Text = key(
             "start_time",

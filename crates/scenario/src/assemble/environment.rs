@@ -97,6 +97,7 @@ impl Assembly<'_, '_> {
             banks: self.banks(table)?,
             visibility_m: table.item(EnvironmentKey::VISIBILITY).map(|item| *item.number()),
             daylight: self.daylight(table, charted)?,
+            rain: table.item(EnvironmentKey::RAIN).map(|item| item.choice()),
             water_density_kgpm3: *table.given(EnvironmentKey::WATER_DENSITY).number(),
             air_density_kgpm3: *table.given(EnvironmentKey::AIR_DENSITY).number(),
         };

@@ -171,6 +171,7 @@ impl Engine {
             clearance_datum_m: self.session.info().clearance_datum_m,
             sea: &self.session.info().sea,
             daylight: self.session.info().daylight,
+            rain: self.session.info().rain,
             chart: &self.session.info().chart,
             ghost: self.session.source().ghost.as_ref(),
             exercise: self.session.exercise_info(),

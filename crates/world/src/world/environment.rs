@@ -17,7 +17,7 @@ use fenderline_ship::hydro::{self, Squat};
 use fenderline_ship::range::within;
 use fenderline_ship::step_time::StepTime;
 
-use crate::looks::Daylight;
+use crate::looks::{Daylight, Rain};
 
 /// A place at which no depth is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -170,6 +170,8 @@ pub struct Environment {
     /// Where and when the run begins, for the sun in the pages' view; `None`: the view takes the sun from the page's
     /// palette. No force depends on the daylight.
     pub daylight: Option<Daylight>,
+    /// Rain in the pages' view; `None`: no rain. No force depends on the rain.
+    pub rain: Option<Rain>,
 }
 
 impl Default for Environment {
@@ -189,6 +191,7 @@ impl Default for Environment {
             banks: Vec::new(),
             visibility_m: None,
             daylight: None,
+            rain: None,
         }
     }
 }
