@@ -286,6 +286,8 @@ export type ExerciseInfo = {
   place: PlaceInfo | null;
   /** Name of the mark of the berth; `null` if the exercise has no mark. */
   mark: string | null;
+  /** False if the view shows marks to the instructor alone. */
+  view_marks: boolean;
 };
 
 /** A place that a goal asks for, and the distance from this place that is still good enough. */

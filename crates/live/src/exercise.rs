@@ -51,6 +51,7 @@ pub(crate) fn info(exercise: &Assessment, setup: &Setup) -> ExerciseInfo {
             "" => "mark".to_owned(),
             name => name.to_owned(),
         }),
+        view_marks: of.view_marks,
     }
 }
 

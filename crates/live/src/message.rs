@@ -154,6 +154,8 @@ pub struct ExerciseInfo {
     pub place: Option<PlaceInfo>,
     /// Name of the mark of the berth; `null` if the exercise has no mark.
     pub mark: Option<String>,
+    /// False if the view shows marks to the instructor alone.
+    pub view_marks: bool,
 }
 
 /// The tension that a goal asks of lines.

@@ -298,7 +298,7 @@ fn exercise() -> Json {
         "task": "make her fast", "vessel": "d", "goal": "all_fast", "berth": "long quay",
         "mark": { "name": "Bow at bollard 9", "at": [1.5, "75 m"], "of_ship": "-12 m" },
         "lines": ["spring", "breast"], "at_least": 1, "least_tension": "10 kN", "most_tension": "400 kN",
-        "distance": "0.4 m", "rest_speed": "0.1 kn", "hold": 20, "time_limit": "1 h", "pass_mark": 70,
+        "distance": "0.4 m", "rest_speed": "0.1 kn", "hold": 20, "time_limit": "1 h", "pass_mark": 70, "view_marks": false,
         "limit": {
             "approach_speed": { "most": 0.15, "worst": 0.3, "points": 20, "fails": true, "within": "50 m" },
             "ahead_speed": { "most": 0.3, "worst": 1, "points": 20, "fails": false, "within": 20 },

@@ -156,6 +156,7 @@ const MAY_BE_IDLE: &[(&str, &str)] = &[
     ("event.visibility*", "of live pages"),
     ("environment.depth", "without vessels `check` uses it: no fender is under the seabed"),
     ("environment.water_density", "without vessels `check` uses it: masses that fit the outline"),
+    ("exercise.view_marks", "of live pages"),
     ("exercise.limit.*", "a limit that is not exceeded"),
     ("exercise.time_limit", "the goal is reached before"),
     ("fender.*.above_water", "plain hulls have a side at any height; `check` uses it"),

@@ -184,7 +184,14 @@ export class Pane {
     this.listen();
   }
 
+  /** Whether this page may show marks: an exercise may leave them to the instructor. */
+  private mayMark(): boolean {
+    const { role, exercise } = this.live.hello ?? {};
+    return role?.name === "instructor" || exercise?.view_marks !== false;
+  }
+
   private toggleMarks(): void {
+    if (!this.mayMark()) return this.around.say("This exercise has no marks in the view.");
     this.look.marks = !this.look.marks;
     setAttribute(this.marksButton, "aria-pressed", String(this.look.marks));
     this.drawLabels();
@@ -503,6 +510,8 @@ export class Pane {
   /** Builds the picture anew where the scenario has changed. */
   private rebuild(picture: Picture, hello: Hello, now_ms: number): void {
     if (this.built === hello) return;
+    this.marksButton.hidden = !this.mayMark();
+    if (this.marksButton.hidden) this.look.marks = false;
     // Claims of helms come with a new greeting of the same scenario.
     if (!this.built || !isSame(this.built, hello)) {
       picture.build(hello, this.live.seenBodies(now_ms));
@@ -808,6 +817,7 @@ function isSame(a: Hello, b: Hello): boolean {
     role,
     sea,
     daylight,
+    rain,
     highest_water_m,
     clearance_datum_m,
   }: Hello) =>
@@ -825,6 +835,7 @@ function isSame(a: Hello, b: Hello): boolean {
       role,
       sea,
       daylight,
+      rain,
       highest_water_m,
       clearance_datum_m,
     ]);

@@ -74,6 +74,14 @@ table_keys! {
             "The body with the fenders of the berth.",
             &["\"quay\""],
         ),
+        VIEW_MARKS: Flag = key(
+            "view_marks",
+            Kind::Flag,
+            Is("true"),
+            "If false, the view out of the window shows no marks to pilot, tugmasters and observers: no distances, \
+             path, forces, loads or current. Plan and docking board are not changed.",
+            &["false"],
+        ),
         MARK: TableOf<MarkKey> = key(
             "mark",
             Kind::Table(&MARK_TABLE),

@@ -60,6 +60,7 @@ impl Assembly<'_, '_> {
             time_limit_s: table
                 .item(ExerciseKey::TIME_LIMIT)
                 .map_or(f64::INFINITY, |item| *item.number()),
+            view_marks: *table.given(ExerciseKey::VIEW_MARKS).flag(),
             pass_mark: *table.given(ExerciseKey::PASS_MARK).number(),
             limits,
         }))

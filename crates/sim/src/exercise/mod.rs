@@ -57,6 +57,8 @@ pub struct ExerciseSetup {
     pub berth: Option<Berth>,
     /// The mark of the berth abeam of which the ship shall lie, for the docking board; the mark is no part of the goal.
     pub mark: Option<BerthMark>,
+    /// False if the pages' view shows marks to the instructor alone.
+    pub view_marks: bool,
     /// The conditions of the goal of the exercise. The goal is reached when all conditions hold.
     pub goal: Vec<Condition>,
     /// How long all conditions must hold without a break for the goal to be reached (s).

@@ -1,4 +1,7 @@
-/** The user's models of ships in the view: a good one stands in the place of the drawn hull, a broken one is told in words. */
+/**
+ * What a scenario says of the view: the user's models of ships, of which a good one stands in the place of the drawn hull and a broken
+ * one is told in words; and an exercise without marks.
+ */
 import { mkdirSync, mkdtempSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -75,6 +78,28 @@ test("a ship's own model is drawn in her place, and a broken model is told while
   expect(await caption.textContent()).not.toContain("box.glb");
   await expect.poll(() => red(page)).toBeGreaterThan(0.02);
   await page.screenshot({ path: join(SHOTS, "window-model.png") });
+  await close();
+  await served.close();
+  expect(errors).toEqual([]);
+});
+
+test("an exercise without marks has them on the instructor's page alone", async () => {
+  const errors: string[] = [];
+  const served = await serve(["exercise.view_marks=false"]);
+  const { context, close } = await browse({ width: 1280, height: 720 }, false, SOFTWARE_WEBGL);
+  for (const role of ["pilot", "instructor"]) {
+    const page = await open(context, served, role, errors);
+    await page.getByRole("button", { name: "View out of the window" }).click();
+    const picture = page.getByRole("img", { name: /^View / });
+    await expect.poll(() => picture.getAttribute("data-drawn")).not.toBeNull();
+    const marks = page.getByRole("button", { name: /^Marks: / });
+    expect(await marks.isVisible()).toBe(role === "instructor");
+    await picture.focus();
+    await page.keyboard.press("m");
+    if (role === "pilot") await page.getByText("This exercise has no marks in the view.").waitFor();
+    else await expect.poll(() => marks.getAttribute("aria-pressed")).toBe("true");
+    await page.close();
+  }
   await close();
   await served.close();
   expect(errors).toEqual([]);
