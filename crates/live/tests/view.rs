@@ -106,7 +106,7 @@ fn a_model_of_a_ship_is_kept_with_the_session_and_told_to_the_pages() {
 
 #[test]
 fn a_broken_model_is_refused_with_key_and_line() {
-    let why = |key: &str, text: &str| with_model(key, text).err().expect("a refusal");
+    let why = |key: &str, text: &str| with_model(key, text).expect_err("a refusal");
     let error = why("model = \"guest.glb\"", "UEsDBA==");
     for words in ["vessel.modelled.model", "does not begin with glTF", "harbour.toml:", "Blender"] {
         assert!(error.contains(words), "{words}: {error}");

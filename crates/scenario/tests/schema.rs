@@ -443,6 +443,8 @@ fn file_named(name: &str) -> Result<String, String> {
             "ncols 2\nnrows 2\nxllcorner -5000\nyllcorner -5000\ncellsize 5000\n30 30\n30 30\n"
         }
         "current.csv" => "north_m,east_m,north_mps,east_mps\n0,0,1,0\n0,9,1,1\n",
+        // A binary glTF file without content, in base64: magic, version 2, length 12.
+        "feeder.glb" => "Z2xURgIAAAAMAAAA",
         "response.csv" => {
             "omega_radps,heading_deg,heave_mpm,heave_phase_deg,roll_degpm,roll_phase_deg,pitch_degpm,\
              pitch_phase_deg\n0.5,0,1,180,0,0,1,90\n0.5,180,1,180,0,0,1,-90\n"
