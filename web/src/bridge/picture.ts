@@ -4,10 +4,7 @@
  */
 import {
   ACESFilmicToneMapping,
-  Color,
-  DirectionalLight,
   Group,
-  HemisphereLight,
   Matrix4,
   Mesh,
   PCFShadowMap,
@@ -18,17 +15,16 @@ import {
   WebGLRenderer,
 } from "three";
 import { Alphabet } from "./alphabet";
-import { type Arrangement, type Vessel, arrangementOf, fairleadHeight } from "./arrangement";
+import { fairleadHeight } from "./arrangement";
 import { type Attitude, LEVEL, aim, fixedIn, stand } from "./aim";
 import { type Triple, aboard, toPicture } from "./axes";
 import { BIGHT_M, bollard, fixedParts, isInside, quay, quaysOf } from "./berth";
 import { cut } from "./blocks";
 import { PIECES, catenary, draped, weightOf } from "./catenary";
-import { type Conduct, conductOf } from "./conduct";
+import { conductOf } from "./conduct";
 import { type Seat, seatAtBollard, seatOn } from "./eyes";
 import { Drift, MOST_MARKS } from "./drift";
 import { Fenders, geometryOf, middleOf } from "./fenders";
-import type { Paint } from "./fittings";
 import { Headset } from "./headset";
 import {
   type Fixed,
@@ -39,13 +35,13 @@ import {
   heightsOf,
   knownQuays,
 } from "./heights";
-import { type Block, blocksOf, hides } from "./hidden";
+import { hides } from "./hidden";
 import { Glows } from "./glows";
-import { type Lamp, type LampColour, bearingFrom, isSeen, lampsOf } from "./lamps";
+import { type Lamp, type LampColour, bearingFrom, isSeen } from "./lamps";
 import type { Placed } from "./labels";
-import { FIGURES, letteringOf, painted } from "./lettering";
+import { FIGURES, painted } from "./lettering";
 import { MOST_TREES, land } from "./land";
-import { type Light, PALETTE_SUNS, density, lightOf } from "./light";
+import { Lighting } from "./lighting";
 import type { Look } from "./look";
 import { OVER_DOLPHIN_M, carriersOf, floats, lampHeight, mark, riseOf } from "./marks";
 import { type Shared, paintwork } from "./paintwork";
@@ -63,15 +59,20 @@ import {
   resampled,
   tugLabel,
 } from "./in_picture";
-import { RAINS, RainFall } from "./rain";
+import { RainFall } from "./rain";
 import { Ropes } from "./ropes";
 import { type PlacedJet, Sea, type Wake } from "./sea";
-import { PAINTS, shipParts } from "./ship";
-import { shine, sky, skyUniforms } from "./sky";
+import {
+  type Ship,
+  type ShipPicture,
+  dispose,
+  dress,
+  plainVessel,
+  shipPicture,
+} from "./ship_picture";
+import { sky, skyUniforms } from "./sky";
 import { Solids, type Spot, linearOf } from "./solids";
 import { cablesOf, isOn } from "./structures";
-import { TUG_PAINT } from "./tug";
-import { sunOf } from "./sun";
 import { jetOfTug, jetsOf } from "./wash";
 import { surface } from "./waves";
 import { isLit } from "../character";
@@ -79,39 +80,8 @@ import { clamp, onEarth, turned } from "../geometry";
 import { ghostAt, ghostText } from "../ghost";
 import { type Live, isOfTug } from "../live";
 import type { PaletteName } from "../palette";
-import type {
-  BodyNow,
-  ChartInfo,
-  Frame,
-  Hello,
-  LevelInfo,
-  LineInfo,
-  LineNow,
-  Pair,
-} from "../protocol";
+import type { BodyNow, ChartInfo, Frame, Hello, LineInfo, LineNow, Pair } from "../protocol";
 import { tugOutline, tugPlace } from "../vector_tug";
-
-/** Picture of a vessel, or of a ship that passes. */
-interface Ship {
-  /** Index of the body; −1 for a ship that passes. */
-  body: number;
-  /** Index in `Hello.vessels`, or in `Hello.traffic`. */
-  index: number;
-  arrangement: Arrangement;
-  /** What hides words behind her. */
-  blocks: Block[];
-  group: Group;
-  /** What is drawn of her, in whose place a model may stand. */
-  drawn: Mesh[];
-  lamps: Record<Conduct, Lamp[]>;
-}
-
-/** What all ships are painted with. */
-interface Paints {
-  steel: Mesh["material"];
-  panes: Mesh["material"];
-  alphabet: Alphabet;
-}
 
 /** What the picture shows of a frame. */
 export interface Shown {
@@ -144,9 +114,6 @@ const FLOATING = { colour: 0xd7f3ff, radius_m: 0.14 };
 /** Half the side of the square that casts shadows [m]. */
 const SHADOW_M = 170;
 
-/** Longest reason for which a model is not drawn. */
-const LONGEST_WHY = 120;
-
 export interface Options {
   /** The bytes of the user's model of a vessel. */
   model(vessel: number, file: string): Promise<ArrayBuffer>;
@@ -159,8 +126,7 @@ export class Picture {
   readonly camera = new PerspectiveCamera(45, 1, 0.35, 70_000);
   private readonly scene = new Scene();
   private readonly shared: Shared = { ...skyUniforms(), uLamps: { value: 0 } };
-  private readonly direct = new DirectionalLight();
-  private readonly ambient = new HemisphereLight();
+  private readonly lighting = new Lighting(this.shared);
   private readonly sea: Sea;
   private readonly rain: RainFall;
   private readonly drift = new Drift();
@@ -172,12 +138,10 @@ export class Picture {
   readonly headset: Headset;
   private fenders: Fenders | null = null;
   private ships: Ship[] = [];
-  private tugs: Omit<Ship, "body" | "index">[] = [];
+  private tugs: ShipPicture[] = [];
   private bodies: (Group | null)[] = [];
   private hello: Hello | null = null;
   private origin: Pair = [0, 0];
-  private light: Light = lightOf(PALETTE_SUNS.day);
-  private visibility_m: number | null | undefined;
   /** Triangles of the last drawing. */
   triangles = 0;
   private built = new Group();
@@ -200,9 +164,6 @@ export class Picture {
   troubles: string[] = [];
   /** Until the models of ships are in their places, or known not to be. */
   dressed: Promise<unknown> = Promise.resolve();
-  private chosen: PaletteName = "day";
-  /** Elevation and azimuth of the sun whose light is on, in whole tenths of a degree. */
-  private shining = "";
 
   constructor(
     canvas: HTMLCanvasElement,
@@ -220,21 +181,21 @@ export class Picture {
     this.renderer.toneMapping = ACESFilmicToneMapping;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
-    this.direct.castShadow = !options.cheap;
-    this.direct.shadow.mapSize.set(2048, 2048);
-    const { camera } = this.direct.shadow;
+    this.lighting.direct.castShadow = !options.cheap;
+    this.lighting.direct.shadow.mapSize.set(2048, 2048);
+    const { camera } = this.lighting.direct.shadow;
     camera.left = camera.bottom = -SHADOW_M;
     camera.right = camera.top = SHADOW_M;
     camera.near = 10;
     camera.far = 1200;
-    this.direct.shadow.bias = -0.0004;
-    this.direct.shadow.normalBias = 0.35;
+    this.lighting.direct.shadow.bias = -0.0004;
+    this.lighting.direct.shadow.normalBias = 0.35;
     this.scene.add(
       this.dome,
       this.sea.mesh,
-      this.ambient,
-      this.direct,
-      this.direct.target,
+      this.lighting.ambient,
+      this.lighting.direct,
+      this.lighting.direct.target,
       this.ropes.mesh,
       this.strokes.mesh,
       this.rain.lines,
@@ -266,7 +227,8 @@ export class Picture {
    * A picture of what the eye sees, with all detail: drawn at twice its size, so that edges are smooth, and with shadows.
    */
   still(width: number, height: number, look: Look, now_ms: number): HTMLCanvasElement {
-    const { renderer, direct } = this;
+    const { renderer } = this;
+    const { direct } = this.lighting;
     const [ratio, casts] = [renderer.getPixelRatio(), direct.castShadow];
     const { width: before, height: tall } = renderer.getSize(new Vector2());
     const most = renderer.capabilities.maxTextureSize;
@@ -300,7 +262,6 @@ export class Picture {
     this.origin = originOf(hello, bodies);
     this.sea.sea(hello.sea, this.origin);
     this.rain.rain(hello.rain);
-    this.shining = "";
     this.heights = heightsOf(hello.highest_water_m, knownQuays(hello));
     this.decks = hello.bodies.map((_, i) => this.deckOf(hello, i));
     this.decked = hello.bodies.map(({ fixed, outline }, i) =>
@@ -330,10 +291,10 @@ export class Picture {
       } else if (outline.length >= 3) {
         const info = hello.vessels[vessel];
         const name = hello.bodies[i]?.name ?? "";
-        const known = { ...(info ?? unknown(outline, name, levels)), name, levels };
+        const known = { ...(info ?? plainVessel(outline, name, levels)), name, levels };
         const lines = hello.lines.filter(({ ship }) => ship === i);
         const look = vessel >= 0 ? vessel : i;
-        const built = this.ship(known, outline, look, paints, lines);
+        const built = shipPicture(known, outline, look, paints, lines);
         group.add(built.group);
         this.ships.push({ ...built, body: i, index: vessel, group });
       }
@@ -342,8 +303,8 @@ export class Picture {
     });
     hello.traffic.forEach(({ name, outline }, i) => {
       if (outline.length < 3) return;
-      const ship = { ...unknown(outline, name), name };
-      const built = this.ship(ship, outline, i + 1, paints);
+      const ship = { ...plainVessel(outline, name), name };
+      const built = shipPicture(ship, outline, i + 1, paints);
       this.built.add(built.group);
       this.ships.push({ ...built, body: -1, index: i });
     });
@@ -352,7 +313,7 @@ export class Picture {
       const outline = tugOutline(info);
       const draught_m = 0.13 * length_m;
       const vessel = { name, title: name, length_m, beam_m, draught_m, is_tug: true };
-      const built = this.ship(vessel, outline, 0, paints);
+      const built = shipPicture(vessel, outline, 0, paints);
       this.built.add(built.group);
       return built;
     });
@@ -433,60 +394,15 @@ export class Picture {
     );
   }
 
-  private ship(
-    vessel: Vessel & { name: string },
-    outline: Pair[],
-    index: number,
-    { steel, panes, alphabet }: Paints,
-    lines: LineInfo[] = [],
-  ): Omit<Ship, "body" | "index"> {
-    const arrangement = arrangementOf(vessel, outline);
-    const paint: Paint =
-      arrangement.kind === "tug" ? TUG_PAINT : (PAINTS[index % PAINTS.length] ?? TUG_PAINT);
-    const fairleads = lines.map(({ fairlead_m: [forward, side], fairlead_above_water_m }): Spot => [
-      forward,
-      side,
-      fairlead_above_water_m || fairleadHeight(arrangement, forward),
-    ]);
-    const parts = shipParts(arrangement, paint, fairleads);
-    const group = new Group();
-    const hull = new Mesh(geometryOf(parts.painted), steel);
-    hull.castShadow = hull.receiveShadow = true;
-    const letters = alphabet.mesh(letteringOf(arrangement, vessel.name, alphabet.widthOf));
-    const drawn = [hull, new Mesh(geometryOf(parts.panes), panes), letters];
-    group.add(...drawn);
-    return {
-      arrangement,
-      blocks: blocksOf(arrangement),
-      group,
-      drawn,
-      lamps: lampsOf(arrangement),
-    };
-  }
-
-  /** Puts the user's model of a ship in the place of what is drawn of her, when it is loaded. */
-  private async dress({ body, index, group, drawn, arrangement }: Ship, hello: Hello) {
-    const info = body >= 0 ? hello.vessels[index]?.model : null;
+  /** Puts the user's model of a ship in her place, when it is loaded. */
+  private async dress(ship: Ship, hello: Hello): Promise<void> {
+    const info = ship.body >= 0 ? hello.vessels[ship.index]?.model : null;
     if (!info) return;
-    const { file, origin_m } = info;
-    try {
-      const [{ modelOf }, bytes] = await Promise.all([
-        import("./model"),
-        this.options.model(index, file),
-      ]);
-      const { length_m } = arrangement;
-      const { group: model, note } = await modelOf(bytes, { file, length_m }, this.shared);
-      // Another scenario may be shown by now.
-      if (this.hello !== hello) return dispose(model);
-      model.position.set(...aboard(origin_m, 0));
-      group.add(model);
-      for (const each of drawn) each.visible = false;
-      if (note) this.troubles.push(note);
-    } catch (error) {
-      const why = error instanceof Error ? error.message : String(error);
-      if (this.hello === hello)
-        this.troubles.push(`${file} cannot be drawn (${why.slice(0, LONGEST_WHY)})`);
-    }
+    const bytes = this.options.model(ship.index, info.file);
+    // Another scenario may be shown by then.
+    const isWanted = () => this.hello === hello;
+    const trouble = await dress(ship, info, bytes, this.shared, isWanted);
+    if (trouble && isWanted()) this.troubles.push(trouble);
   }
 
   /** The quays of a shore, which has no outline in the messages. */
@@ -532,58 +448,7 @@ export class Picture {
 
   /** The palette of the page stands for the time of day, where the scenario gives no date. */
   palette(name: PaletteName): void {
-    this.chosen = name;
-    this.shining = "";
-  }
-
-  /** The light of the run's time, or of the palette. */
-  private sun(t_s: number): void {
-    const sun = sunOf(this.hello?.daylight ?? null, t_s) ?? PALETTE_SUNS[this.chosen];
-    const tenths = (rad: number) => Math.round((rad * 1800) / Math.PI);
-    const key = `${tenths(sun.elevation_rad)} ${tenths(sun.azimuth_rad)}`;
-    if (key === this.shining) return;
-    this.shining = key;
-    this.light = lightOf(sun);
-    this.visibility_m = undefined;
-  }
-
-  private lighten(visibility_m: number | null): void {
-    if (this.visibility_m === visibility_m) return;
-    this.visibility_m = visibility_m;
-    const { light } = this;
-    const haze = density(visibility_m);
-    // In fog the sun is a bright place at most.
-    const wet = this.hello?.rain ? RAINS[this.hello.rain].grey : 0;
-    const dim = (visibility_m === null ? 1 : Math.min(1, visibility_m / 6000)) * (1 - 0.85 * wet);
-    const direct: Triple = [light.direct[0] * dim, light.direct[1] * dim, light.direct[2] * dim];
-    const [r, g, b] = light.horizon;
-    const grey = ((r + g + b) / 3) * (1 - 0.35 * wet);
-    const dull = (c: Triple): Triple => [
-      c[0] * dim + grey * 1.05 * (1 - dim),
-      c[1] * dim + grey * 1.08 * (1 - dim),
-      c[2] * dim + grey * 1.12 * (1 - dim),
-    ];
-    shine(
-      this.shared,
-      {
-        ...light,
-        direct,
-        horizon: dull(light.horizon),
-        zenith: dull(light.zenith),
-        glow: [light.glow[0] * dim, light.glow[1] * dim, light.glow[2] * dim],
-        stars: light.stars * dim,
-      },
-      haze,
-    );
-    this.renderer.toneMappingExposure = light.exposure;
-    this.shared.uLamps.value = light.lamps;
-    this.direct.color = new Color(...direct);
-    this.direct.intensity = 1;
-    this.direct.shadow.intensity = light.shadows;
-    this.ambient.color = new Color(...dull(light.sky));
-    this.ambient.groundColor = new Color(...light.ground);
-    this.ambient.intensity = 1.5 + 0.6 * (1 - dim);
-    this.sea.colour(light.water);
+    this.lighting.palette(name);
   }
 
   // ----------------------------------------------------------------------------------------------------- drawing
@@ -595,8 +460,10 @@ export class Picture {
     const bodies = this.live.seenBodies(now_ms);
     const t_s = this.live.time(now_ms);
     const share = this.live.share(now_ms);
-    this.sun(t_s);
-    this.lighten(frame.visibility_m);
+    if (this.lighting.tick(hello, t_s, frame.visibility_m)) {
+      this.renderer.toneMappingExposure = this.lighting.light.exposure;
+      this.sea.colour(this.lighting.light.water);
+    }
     const before = this.live.previous?.water_level_m ?? frame.water_level_m;
     this.water_m = before + (frame.water_level_m - before) * share;
     this.ground.position.y = -this.water_m;
@@ -886,7 +753,7 @@ export class Picture {
   private measured({ ghost }: Hello, t_s: number): void {
     const now = ghost && ghostAt(ghost, t_s);
     if (!now) return;
-    this.strokes.bright(this.light.exposure);
+    this.strokes.bright(this.lighting.light.exposure);
     const place = (at: Pair, up_m: number) => toPicture(this.origin, at, up_m);
     for (const each of measuredStrokes(ghost.outline, now, place)) this.stroke(each);
     const at = toPicture(this.origin, [now[1], now[2]], MEASURED_WORDS_UP_M);
@@ -895,7 +762,7 @@ export class Picture {
 
   /** Marks on request: the predicted path, and arrows of the forces of contacts and tugs. */
   private mark(frame: Frame, hello: Hello, look: Look): void {
-    this.strokes.bright(this.light.exposure);
+    this.strokes.bright(this.lighting.light.exposure);
     const path = this.live.prediction?.paths.find(({ vessel }) => vessel === look.vessel);
     const outline = hello.bodies[hello.vessels[look.vessel]?.body ?? -1]?.outline ?? [];
     if (path)
@@ -1047,14 +914,14 @@ export class Picture {
     this.glows.begin();
     // Rule 20: lights from sunset on, and in restricted visibility.
     const fog = frame.visibility_m !== null && frame.visibility_m < 3700;
-    if (this.light.lamps > 0 || fog) {
+    if (this.lighting.light.lamps > 0 || fog) {
       for (const ship of this.ships) this.shipLights(ship, frame, bodies[ship.body]);
       this.tugs.forEach(({ group, lamps }, i) => {
         const tows = frame.tugs[i]?.order === "pull";
         if (group.visible) this.glow(group, tows ? lamps.tows : lamps.under_way, 1);
       });
     }
-    if (this.light.lamps > 0) {
+    if (this.lighting.light.lamps > 0) {
       for (const feature of this.hello?.chart ?? []) this.chartLight(feature, t_s);
     }
     this.glows.end();
@@ -1125,8 +992,8 @@ export class Picture {
             length_m: arrangement.length_m,
             beam_m: arrangement.beam_m,
             speed_mps: (eyes ?? info)?.water_mps[0] ?? ahead,
-            // Azimuth units have jets.
-            wash: info?.azimuths.length ? 0 : (info?.shaft.now ?? 0),
+            // Thrusters and azimuth units have jets.
+            wash: info?.shaft.now ?? 0,
             away: Math.hypot(group.position.x - x, group.position.z - z),
           },
         ];
@@ -1160,7 +1027,8 @@ export class Picture {
 
   /** The square that casts shadows lies before the eye; shadows move slowly, so each fourth picture renews them. */
   private shadow(look: Look): void {
-    const { direct, camera } = this;
+    const { camera } = this;
+    const { direct } = this.lighting;
     if (!direct.castShadow) return;
     this.drawn += 1;
     if (!this.options.cheap)
@@ -1176,41 +1044,16 @@ export class Picture {
       round(camera.position.z + ahead.z * reach),
     );
     direct.position
-      .set(...this.light.from)
+      .set(...this.lighting.light.from)
       .multiplyScalar(500)
       .add(direct.target.position);
     direct.target.updateMatrixWorld();
   }
 }
 
-/** Gives back what the meshes of a group hold on the graphics. */
-function dispose(group: Group): void {
-  group.traverse((each) => {
-    if (!(each instanceof Mesh)) return;
-    each.geometry.dispose();
-    for (const material of [each.material].flat()) material.dispose();
-  });
-}
-
 const deg = (rad: number): number => (rad * 180) / Math.PI;
 const lampColour = (colour: string | null): LampColour =>
   colour === "red" || colour === "green" || colour === "yellow" ? colour : "white";
-
-/** A body without a vessel: her size is that of her outline, her draught that of usual ships. */
-function unknown(outline: Pair[], name: string, levels: LevelInfo[] = []): Vessel {
-  const span = (axis: 0 | 1) => {
-    const all = outline.map((p) => p[axis]);
-    return Math.max(...all) - Math.min(...all);
-  };
-  return {
-    title: name,
-    length_m: span(0),
-    beam_m: span(1),
-    // The lowest of several outlines is near the keel.
-    draught_m: levels[0] ? Math.max(0.5, -levels[0].height_m) : 0.33 * span(1),
-    is_tug: false,
-  };
-}
 
 /**
  * A round place near something that stays where it is, so that all windows of a session have the same axes whenever they are opened; near
