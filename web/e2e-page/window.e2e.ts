@@ -1,9 +1,12 @@
 /** The view out of the window in the page without a server, with the network gone. */
-import { mkdirSync, readFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { SHOTS, SOFTWARE_WEBGL } from "../e2e/browser";
-import { type Opened, opened } from "./served";
+import { type Opened, opened, reran } from "./served";
+import { box, red } from "../e2e/red_box";
+import { glb } from "../test/glb";
 
 let at: Opened;
 beforeAll(async () => {
@@ -50,5 +53,23 @@ test("the report has a picture of the largest fender load, and so has the saved 
   const html = readFileSync(await (await saved).path(), "utf8");
   expect(html).toContain("<h2>Fenders</h2><figure");
   expect(html).toContain('src="data:image/jpeg;base64,');
+  expect(errors).toEqual([]);
+});
+
+test("a model of a ship among the opened files is drawn in her place", async () => {
+  const { page, errors } = at;
+  const folder = mkdtempSync(join(tmpdir(), "fenderline-page-model-"));
+  const [toml, model] = [join(folder, "boxed.toml"), join(folder, "box.glb")];
+  writeFileSync(model, new Uint8Array(glb(box())));
+  writeFileSync(
+    toml,
+    `[time]\nstep = "0.1 s"\nduration = "5 s"
+[vessel.boxed]\nfrom = "bulk-carrier"\nmodel = "box.glb"\n[body.ship]\nvessel = "boxed"\nposition = [0, 0]\n`,
+  );
+  await reran(page, () => page.locator("input[type=file]").setInputFiles([toml, model]));
+  expect(await page.locator(".run-state").textContent()).toMatch(/^done/);
+  await page.getByRole("button", { name: "View out of the window" }).click();
+  await page.locator(".window-tools").getByText("Free", { exact: true }).click();
+  await expect.poll(() => red(page)).toBeGreaterThan(0.02);
   expect(errors).toEqual([]);
 });

@@ -78,7 +78,7 @@ export class Workbench {
   });
   private readonly picked = h("input", {
     type: "file",
-    accept: ".toml,.geojson,.json,.csv,.asc,.xyz,.txt",
+    accept: ".toml,.geojson,.json,.csv,.asc,.xyz,.txt,.glb",
     multiple: true,
     class: "hidden",
     "aria-label": "Scenario file",
