@@ -12,7 +12,13 @@ export default defineConfig({
   base: "./",
   plugins: [openbridge()],
   build: { target: "es2022", assetsInlineLimit: 0, reportCompressedSize: true },
-  server: { host: "127.0.0.1", proxy: { "/live": { target: "ws://127.0.0.1:8090", ws: true } } },
+  server: {
+    host: "127.0.0.1",
+    proxy: {
+      "/live": { target: "ws://127.0.0.1:8090", ws: true },
+      "/model": "http://127.0.0.1:8090",
+    },
+  },
   test: {
     projects: [
       {

@@ -61,9 +61,12 @@ export class Workbench {
   private info: ScenarioInfo | null = null;
   private file = "";
   private files: Record<string, string> = {};
-  /** The bytes of a model among the files of the scenario. */
-  private readonly model = (_: number, file: string): Promise<ArrayBuffer> =>
-    Promise.resolve(bytesOf(this.files[file] ?? ""));
+  /** The files of the run that is shown: others may have been opened since. */
+  private ran: Record<string, string> = {};
+  private sent: Record<string, string> = {};
+  /** The bytes of a model among the files of the run. */
+  private readonly model = async (_: number, file: string): Promise<ArrayBuffer> =>
+    Promise.resolve(bytesOf(this.ran[file] ?? ""));
   private plan: Plan | null = null;
   private tabs: Tab[] = [];
   private tabRow: TabRow | null = null;
@@ -143,6 +146,7 @@ export class Workbench {
       import("uplot"),
       import("uplot/dist/uPlot.min.css"),
       import("../src/bridge/picture"),
+      import("../src/bridge/model"),
       import("../src/instruments/components"),
     ];
     Promise.all([this.runner.load(), ...later]).catch((error: unknown) =>
@@ -200,7 +204,16 @@ export class Workbench {
     }
     // The scenario is the file that names bodies; the others are those that it names.
     const names = Object.keys(texts);
-    const scenario = names.find((name) => /^\[body\./m.test(texts[name] ?? "")) ?? names[0] ?? "";
+    if (names.every(isModel)) {
+      // Models alone join the scenario that is open.
+      this.files = { ...this.files, ...texts };
+      this.run();
+      return;
+    }
+    const scenario =
+      names.find((name) => /^\[body\./m.test(texts[name] ?? "")) ??
+      names.find((name) => !isModel(name)) ??
+      "";
     const { [scenario]: text = "", ...others } = texts;
     this.offer(scenario);
     this.openText(scenario, text, others);
@@ -221,6 +234,7 @@ export class Workbench {
   private run(): void {
     clearTimeout(this.timer);
     if (document.documentElement.dataset.ready === undefined) return;
+    this.sent = this.files;
     const job: Job = { text: this.editor.text, file: this.file, files: this.files };
     this.setRunning(true);
     setText(this.state, "checking");
@@ -289,6 +303,9 @@ export class Workbench {
     this.outcome.show(null, this.file);
     this.timeline.begin();
     document.title = `${info.title} · fenderline`;
+    this.ran = this.sent;
+    // There is no instructor here to whom marks could be left.
+    if (hello.exercise) hello.exercise.view_marks = true;
     this.live.welcome(hello);
     const key = structure(hello);
     if (key !== this.built) {

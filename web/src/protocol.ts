@@ -442,6 +442,8 @@ export type LevelInfo = {
 export type ModelInfo = {
   /** Name of the file, as the scenario gives the name. */
   file: string;
+  /** Check sum of the file (CRC-32): a changed file has another. */
+  crc32: number;
   /** Place of the model's origin, which is amidships on the waterline, in the axes of the body (m). */
   origin_m: [number, number];
 };

@@ -106,6 +106,45 @@ test("each corner of the drawn shell lies on the surface of the outlines, and no
   expect([SHIP.hull.aft_m, SHIP.hull.fore_m]).toEqual([-84, 86]);
 });
 
+test("the shell is flat between its corners, and nowhere far from the surface of the outlines", () => {
+  const shell = new Solids();
+  hullParts(SHIP, PAINTS[0] ?? TUG_PAINT, shell);
+  let worst = 0;
+  for (let i = 0; i < shell.positions.length; i += 9) {
+    const middle = [0, 1, 2].map((axis) =>
+      [0, 3, 6].reduce((sum, k) => sum + (shell.positions[i + axis + k] ?? 0) / 3, 0),
+    );
+    const [s = 0, up = 0, aft = 0] = middle;
+    const ring = ringAt(LEVELS, up);
+    // What lies well within the outline is deck, transom or the flat of the stem.
+    const within = off(ring, [-aft, s]);
+    if (up > -0.5 && up < 7.9 && within < 1) worst = Math.max(worst, within);
+  }
+  expect(worst).toBeGreaterThan(0);
+  // Where a corner of the outlines wanders along the hull with the height, a column of the shell cuts the corner.
+  expect(worst).toBeLessThan(0.16);
+});
+
+test("a flat bow keeps its width whatever the rounding of its coordinates", () => {
+  // The end of the hull, by its share of the length, is beyond its foremost corner by one unit in the last place.
+  const barge: Pair[] = [
+    [-76.8, -9],
+    [25.6, -9],
+    [25.6, 9],
+    [-76.8, 9],
+  ];
+  const levels = [-3, 0, 4].map((height_m) => ({ height_m, outline: barge }));
+  const { hull } = arrangementOf(
+    { title: "barge", length_m: 102.4, beam_m: 18, draught_m: 3, is_tug: false, levels },
+    barge,
+  );
+  for (const f of [hull.aft_m, hull.fore_m])
+    for (const up of [-3, 0, 2, 4, 9]) {
+      expect(hull.side(f, up, 1)[1]).toBeCloseTo(9);
+      expect(hull.side(f, up, -1)[1]).toBeCloseTo(-9);
+    }
+});
+
 test("a quay wall that leans is drawn as it leans, up to its highest outline", () => {
   const square = (by: number): Pair[] => [
     [-50 - by, -10 - by],

@@ -1,7 +1,9 @@
 /** Drops of rain fall with the wind, and marks of the current drift with the water, forward and back in time. */
+import { type ShaderMaterial, Vector3 } from "three";
 import { describe, expect, test } from "vitest";
 import { Drift, MOST_MARKS } from "../src/bridge/drift";
-import { fall } from "../src/bridge/rain";
+import { RainFall, fall } from "../src/bridge/rain";
+import { skyUniforms } from "../src/bridge/sky";
 
 test("drops are carried to where the wind blows", () => {
   // A wind from the west blows to the east, along x; from the north to the south, along z.
@@ -9,6 +11,20 @@ test("drops are carried to where the wind blows", () => {
   expect([east, south].map((v) => Math.round(v))).toEqual([8, -0]);
   expect(down).toBeLessThan(0);
   expect(fall({ speed_mps: 10, from_rad: 0 })[2]).toBeCloseTo(8);
+});
+
+test("a gust does not move the drops of a long run", () => {
+  const rain = new RainFall(skyUniforms(), false);
+  rain.rain("heavy");
+  const moved = () => (rain.lines.material as ShaderMaterial).uniforms.uMoved?.value as Vector3;
+  const eye = new Vector3();
+  const wind = { speed_mps: 10, from_rad: 0 };
+  rain.tick(eye, 36_000, wind);
+  rain.tick(eye, 36_000.1, wind);
+  const before = moved().clone();
+  rain.tick(eye, 36_000.2, { speed_mps: 10.5, from_rad: 0.02 });
+  expect(moved().distanceTo(before)).toBeLessThan(1.5);
+  expect(moved().distanceTo(before)).toBeGreaterThan(0.5);
 });
 
 describe("marks of the current", () => {

@@ -206,11 +206,11 @@ fn vessel_info(setup: &Setup, cast: &Cast, index: usize) -> VesselInfo {
             at_m: [conning.at_m.x - ahead_m, conning.at_m.y],
             eye_above_water_m: conning.eye_above_water_m,
         }),
-        model: vessel
-            .looks
-            .model
-            .as_ref()
-            .map(|model| ModelInfo { file: model.file.clone(), origin_m: [-ahead_m, 0.0] }),
+        model: vessel.looks.model.as_ref().map(|model| ModelInfo {
+            file: model.file.clone(),
+            crc32: crc32fast::hash(&model.bytes),
+            origin_m: [-ahead_m, 0.0],
+        }),
         under_keel_limit_m: vessel.under_keel_caution_m(),
         rudder_stop_rad: propelled.then_some(vessel.rudder.stop),
         full_rps: propelled.then_some(vessel.shaft.stop),

@@ -405,6 +405,8 @@ pub struct VesselInfo {
 pub struct ModelInfo {
     /// Name of the file, as the scenario gives the name.
     pub file: String,
+    /// Check sum of the file (CRC-32): a changed file has another.
+    pub crc32: u32,
     /// Place of the model's origin, which is amidships on the waterline, in the axes of the body (m).
     pub origin_m: Pair,
 }

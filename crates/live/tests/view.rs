@@ -90,6 +90,9 @@ fn a_model_of_a_ship_is_kept_with_the_session_and_told_to_the_pages() {
     let guest = session.info().vessels.iter().position(|vessel| vessel.name == "guest").unwrap();
     let told = session.info().vessels[guest].model.clone().expect("a model");
     assert_eq!(told.file, "guest.glb");
+    let other = with_model("model = \"guest.glb\"", "Z2xURgIAAAAQAAAAYm9keQ==").unwrap();
+    let sum = other.info().vessels[guest].model.as_ref().map(|model| model.crc32);
+    assert_ne!(sum, Some(told.crc32), "a changed file is told");
     // Midship, seen from the centre of gravity.
     let ahead_m = setup.world.vessels[guest].ship.particulars.centre_of_gravity_m;
     assert_eq!(told.origin_m, [-ahead_m, 0.0]);

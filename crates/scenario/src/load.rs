@@ -13,7 +13,7 @@ use fenderline_keys::overrides::Override;
 /// Size of the largest file that the program reads (bytes): a survey of 4 million values has some 28 MB.
 const LARGEST_FILE: u64 = 64 << 20;
 /// Size of the largest model of a ship (bytes): its text in base64 is a third longer.
-const LARGEST_MODEL: u64 = 32 << 20;
+const LARGEST_MODEL: u64 = 16 << 20;
 /// Size of the largest text that the program reads from a stream (bytes).
 const LARGEST_STREAM: u64 = 16 << 20;
 

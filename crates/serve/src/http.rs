@@ -4,7 +4,7 @@ use std::pin::Pin;
 use std::sync::{Arc, PoisonError};
 use std::time::Duration;
 
-use axum::body::Body;
+use axum::body::{Body, Bytes};
 use axum::extract::ws::{WebSocket, WebSocketUpgrade};
 use axum::extract::{Request, State};
 use axum::http::header::{
@@ -217,7 +217,7 @@ async fn model(State(site): State<Arc<Site>>, request: Request) -> Response {
         (CACHE_CONTROL, "no-store"),
         (CONNECTION, "close"),
     ];
-    (headers, Body::from(model.bytes.to_vec())).into_response()
+    (headers, Body::from(Bytes::from_owner(Arc::clone(&model.bytes)))).into_response()
 }
 
 /// Closes a websocket by the function `close`, which tells the client the reason. If too many other websockets are

@@ -8,15 +8,27 @@ import {
 } from "three";
 import type { Letter } from "./lettering";
 import { type Shared, paintwork } from "./paintwork";
+import type { Spot } from "./solids";
 
 /** Size of a character's field, and of the letters in it [px]. */
 const FIELD = 64;
-const LETTER = 46;
+const LETTER = 40;
 /** Where letters stand in their field: their foot above its lower edge [px]. */
 const FOOT = 12;
 const COLUMNS = 16;
 /** White paint that the weather has seen. */
 const PAINT = [0.75, 0.76, 0.74];
+
+/** The corners of a letter's field, from those of the letter. */
+function fieldOf([a, b, c, d]: Letter["corners"]): Spot[] {
+  const along = (from: Spot, to: Spot, share: number): Spot => [
+    from[0] + share * (to[0] - from[0]),
+    from[1] + share * (to[1] - from[1]),
+    from[2] + share * (to[2] - from[2]),
+  ];
+  const [low, high] = [-FOOT / LETTER, (FIELD - FOOT) / LETTER];
+  return [along(a, d, low), along(b, c, low), along(b, c, high), along(a, d, high)];
+}
 
 export class Alphabet {
   private readonly fields: Map<string, number>;
@@ -77,12 +89,13 @@ export class Alphabet {
       const [column, row] = [field % COLUMNS, Math.floor(field / COLUMNS)];
       const half = (0.5 * this.widthOf(character) * LETTER) / FIELD;
       const [left, right] = [column + 0.5 - half, column + 0.5 + half].map((x) => x / COLUMNS);
-      // A texture's second number goes up from the lower edge of the picture.
-      const foot = this.rows - 1 - row + FOOT / FIELD;
-      const [low, high] = [foot, foot + LETTER / FIELD].map((y) => y / this.rows);
+      // A texture's second number goes up from the lower edge of the picture. The whole field is shown: some letters have dots
+      // over them or a tail below.
+      const [low, high] = [this.rows - 1 - row, this.rows - row].map((y) => y / this.rows);
+      const whole = fieldOf(corners);
       const uv = [left, low, right, low, right, high, left, high];
       for (const i of [0, 1, 2, 0, 2, 3]) {
-        const [forward, starboard, up] = corners[i] ?? [0, 0, 0];
+        const [forward, starboard, up] = whole[i] ?? [0, 0, 0];
         places?.push(starboard, up, -forward);
         across?.push(uv[2 * i] ?? 0, uv[2 * i + 1] ?? 0);
         colours?.push(...PAINT);

@@ -77,11 +77,12 @@ const PROPORTIONS: Record<Kind, { freeboard: number; storeys(length_m: number): 
 export function arrangementOf(vessel: Vessel, outline: Pair[]): Arrangement {
   const kind = kindOf(vessel);
   const { levels = [], beam_m } = vessel;
-  // A hull by outlines at several heights ends with the highest.
+  // The deck of a hull by outlines at several heights has the form of the highest.
   const [aft, fore] = ends(levels.at(-1)?.outline ?? outline);
   const length_m = fore - aft;
   const { freeboard, storeys } = PROPORTIONS[kind];
-  const deck_m = Math.max(0.6, levels.at(-1)?.height_m ?? freeboard * beam_m);
+  // Above the highest outline the side is upright, for contact too.
+  const deck_m = Math.max(0.6, freeboard * beam_m, levels.at(-1)?.height_m ?? 0);
   const isTug = kind === "tug";
   const hull = new Hull({
     outline,

@@ -76,7 +76,7 @@ export interface HullForm {
   rake_m: number;
   /** How far forward of the stern the keel ends [m]. */
   counter_m: number;
-  /** Outlines at several heights, from the lowest up; the hull ends at the highest. Empty: one outline. */
+  /** Outlines at several heights, from the lowest up; above the highest the side is upright. Empty: one outline. */
   levels: LevelInfo[];
 }
 
@@ -85,6 +85,16 @@ const SMOOTH_FROM = 0.62;
 export const BOOT_M = 0.35;
 /** Heights between the bottom paint and the deck, as shares. */
 const SHARES = [0.15, 0.4, 0.7, 1];
+
+/** The shell between two outlines has corners at least so often [m]. */
+const SHELL_STEP_M = 1.5;
+
+/** Heights from one up to another, without the other. */
+function between(low_m: number, high_m: number): number[] {
+  // Under water nobody sees the shell.
+  const parts = low_m < -1 ? 1 : Math.max(1, Math.ceil((high_m - low_m) / SHELL_STEP_M));
+  return Array.from({ length: parts }, (_, i) => low_m + ((high_m - low_m) * i) / parts);
+}
 
 export class Hull {
   readonly breadth: Breadth;
@@ -127,7 +137,8 @@ export class Hull {
     const ring = ringAt(this.form.levels, up_m);
     const [aft, fore] = ends(ring);
     const along = (forward_m - this.aft_m) / Math.max(1e-6, this.fore_m - this.aft_m);
-    const at = aft + Math.min(1, Math.max(0, along)) * (fore - aft);
+    // Rounding may not carry the end of a flat bow beyond the bow.
+    const at = along >= 1 ? fore : Math.min(fore, aft + Math.max(0, along) * (fore - aft));
     const [port, starboard] = reach(ring, at);
     return [at, side > 0 ? starboard : port, up_m];
   }
@@ -173,16 +184,11 @@ export class Hull {
   /** Heights above the water at which the side has its own forms, from the keel to a height [m]. */
   heights(till_m: number): number[] {
     const { draught_m, levels } = this.form;
-    if (levels.length > 0)
-      return [
-        ...new Set([
-          -draught_m,
-          ...levels.map(({ height_m }) => height_m),
-          ...[0, BOOT_M, till_m].filter((up) => up <= till_m),
-        ]),
-      ]
-        .filter((up) => up <= till_m)
-        .toSorted((a, b) => a - b);
+    if (levels.length > 0) {
+      const given = [-draught_m, ...levels.map(({ height_m }) => height_m), 0, BOOT_M, till_m];
+      const all = [...new Set(given)].filter((up) => up <= till_m).toSorted((a, b) => a - b);
+      return all.flatMap((up, i) => between(up, all[i + 1] ?? up));
+    }
     const bilge_m = 0.25 * draught_m;
     return [
       -draught_m,

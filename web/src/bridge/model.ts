@@ -1,5 +1,17 @@
 /** The user's model of a ship: a binary glTF file in place of the hull and the deck that the view draws. */
-import { Box3, DoubleSide, Group, Light, Material, Mesh, MeshStandardMaterial } from "three";
+import {
+  Box3,
+  DoubleSide,
+  Group,
+  Light,
+  Line,
+  Material,
+  Mesh,
+  MeshBasicMaterial,
+  MeshStandardMaterial,
+  type Object3D,
+  Points,
+} from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { type Shared, paintwork } from "./paintwork";
 
@@ -22,10 +34,11 @@ export async function modelOf(
   shared: Shared,
 ): Promise<Model> {
   const { scene } = await new GLTFLoader().parseAsync(bytes, "");
-  const lights: Light[] = [];
+  const others: Object3D[] = [];
   let meshes = 0;
   scene.traverse((each) => {
-    if (each instanceof Light) lights.push(each);
+    // Lights, lines and points have no place in the light and the haze of the view.
+    if (each instanceof Light || each instanceof Line || each instanceof Points) others.push(each);
     if (!(each instanceof Mesh)) return;
     meshes += 1;
     const hasColours = each.geometry.hasAttribute("color");
@@ -34,7 +47,7 @@ export async function modelOf(
     each.castShadow = each.receiveShadow = true;
   });
   if (meshes === 0) throw new Error("it has no surfaces");
-  for (const light of lights) light.removeFromParent();
+  for (const other of others) other.removeFromParent();
   scene.updateMatrixWorld(true);
   const box = new Box3().setFromObject(scene);
   const long = box.max.z - box.min.z;
@@ -54,9 +67,10 @@ function painted(of: Material, hasColours: boolean, shared: Shared): Material {
   const material = paintwork(shared, "plain", of.side === DoubleSide);
   material.vertexColors = hasColours;
   material.transparent = of.transparent;
+  material.depthWrite = of.depthWrite;
   material.opacity = of.opacity;
   material.alphaTest = of.alphaTest;
-  if (of instanceof MeshStandardMaterial) {
+  if (of instanceof MeshStandardMaterial || of instanceof MeshBasicMaterial) {
     material.color.copy(of.color);
     material.map = of.map;
     const { map } = of;

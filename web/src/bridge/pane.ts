@@ -511,7 +511,11 @@ export class Pane {
   private rebuild(picture: Picture, hello: Hello, now_ms: number): void {
     if (this.built === hello) return;
     this.marksButton.hidden = !this.mayMark();
-    if (this.marksButton.hidden) this.look.marks = false;
+    if (this.marksButton.hidden && this.look.marks) {
+      this.look.marks = false;
+      setAttribute(this.marksButton, "aria-pressed", "false");
+      this.drawLabels();
+    }
     // Claims of helms come with a new greeting of the same scenario.
     if (!this.built || !isSame(this.built, hello)) {
       picture.build(hello, this.live.seenBodies(now_ms));
@@ -717,6 +721,7 @@ export class Pane {
     }
     const width = Math.max(1280, Math.min(1920, 2 * canvas.clientWidth));
     const height = Math.round((width * canvas.clientHeight) / Math.max(1, canvas.clientWidth));
+    await picture.dressed;
     const still = picture.still(width, height, this.look, performance.now());
     if (this.look.marks) this.write(still);
     // The canvas was used for the picture: a resting view is drawn again at once.
@@ -789,6 +794,7 @@ export class Pane {
     if (eye !== "free") this.left.set(eye, { turn_rad, raise_rad, view_rad });
     Object.assign(this.look, { eye: "free", fender, view_rad: null, panorama_rad: null });
     this.mark();
+    await picture.dressed;
     const blob = await pngOf(picture.still(...MOMENT, this.look, performance.now()));
     if (blob) this.keep(blob, hello.fenders[fender]?.name ?? "fender", "png");
     return blob !== null;

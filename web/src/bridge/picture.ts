@@ -264,9 +264,10 @@ export class Picture {
     this.rain.rain(hello.rain);
     this.heights = heightsOf(hello.highest_water_m, knownQuays(hello));
     this.decks = hello.bodies.map((_, i) => this.deckOf(hello, i));
-    this.decked = hello.bodies.map(({ fixed, outline }, i) =>
-      !fixed ? [] : outline.length > 0 ? [outline] : this.quays(hello, i),
-    );
+    this.decked = hello.bodies.map(({ fixed, outline, levels }, i) => {
+      const deck = levels.at(-1)?.outline ?? outline;
+      return !fixed ? [] : deck.length > 0 ? [deck] : this.quays(hello, i);
+    });
     this.ground = new Group();
     this.built.add(this.ground);
     const concrete = paintwork(this.shared, "concrete");
@@ -382,23 +383,23 @@ export class Picture {
   /** Height of the deck of a fixed body above datum [m]. */
   private deckOf(hello: Hello, body: number): number {
     const { fixed, levels } = hello.bodies[body] ?? { fixed: false, levels: [] };
-    // The highest outline of a fixed body is its deck.
-    const top = fixed ? levels.at(-1) : undefined;
-    if (top) return top.height_m;
-    return deckHeight(
+    // The deck of a fixed body by outlines is no lower than the highest.
+    const top_m = (fixed ? levels.at(-1)?.height_m : undefined) ?? Number.NEGATIVE_INFINITY;
+    const deck_m = deckHeight(
       endsOn(hello, body),
       hello.fenders
         .filter((fender) => fender.body === body && !fender.floating)
         .map((fender) => middleOf(fender) + fender.height_m / 2),
-      this.heights.quay_m,
+      Number.isFinite(top_m) ? top_m : this.heights.quay_m,
     );
+    return Math.max(top_m, deck_m);
   }
 
   /** Puts the user's model of a ship in her place, when it is loaded. */
   private async dress(ship: Ship, hello: Hello): Promise<void> {
     const info = ship.body >= 0 ? hello.vessels[ship.index]?.model : null;
     if (!info) return;
-    const bytes = this.options.model(ship.index, info.file);
+    const bytes = () => this.options.model(ship.index, info.file);
     // Another scenario may be shown by then.
     const isWanted = () => this.hello === hello;
     const trouble = await dress(ship, info, bytes, this.shared, isWanted);
@@ -477,8 +478,8 @@ export class Picture {
     } else this.aim(look, t_s);
     // Two strokes for an arrow.
     const arrows = 2 * (frame.contacts.length + hello.tugs.length);
-    const marks = MOST_GHOSTS + MEASURED_STROKES + MOST_MARKS;
-    this.strokes.room(hello.lines.length + arrows + marks);
+    const marks = look.marks ? MOST_GHOSTS + MOST_MARKS : 0;
+    this.strokes.room(hello.lines.length + arrows + MEASURED_STROKES + marks);
     this.strokes.begin();
     this.labels = [];
     this.lines(frame, hello, look.marks);

@@ -40,6 +40,7 @@ export class RainFall {
   private readonly eye = new Vector3();
   private readonly way = new Vector3();
   private readonly moved = new Vector3();
+  private t_s: number | null = null;
 
   constructor(
     sky: SkyUniforms,
@@ -98,8 +99,12 @@ export class RainFall {
     this.eye.copy(eye);
     const way = fall(wind);
     this.way.set(way[0] * SEEN_S, way[1] * SEEN_S, way[2] * SEEN_S);
-    // In double precision: hours of a run leave single precision no place for a phase.
-    const [x, y, z] = way.map((v) => (v * t_s) % BOX_M);
-    this.moved.set(x ?? 0, y ?? 0, z ?? 0);
+    // Step by step: with the whole time each gust would move all drops by hours of its change.
+    const since_s = t_s - (this.t_s ?? t_s);
+    this.t_s = t_s;
+    const { x, y, z } = this.moved;
+    const [a, b, c] = way;
+    const move = (at: number, mps: number) => (at + mps * since_s) % BOX_M;
+    this.moved.set(move(x, a), move(y, b), move(z, c));
   }
 }

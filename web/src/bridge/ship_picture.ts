@@ -90,23 +90,25 @@ const LONGEST_WHY = 120;
  * words; "" if nothing is. `isWanted`: whether the ship is still shown by then.
  */
 export async function dress(
-  { group, drawn, arrangement }: ShipPicture,
+  ship: ShipPicture,
   { file, origin_m }: ModelInfo,
-  bytes: Promise<ArrayBuffer>,
+  bytes: () => Promise<ArrayBuffer>,
   shared: Shared,
   isWanted: () => boolean,
 ): Promise<string> {
   try {
-    const [{ modelOf }, read] = await Promise.all([import("./model"), bytes]);
-    const { length_m } = arrangement;
+    const [{ modelOf }, read] = await Promise.all([import("./model"), bytes()]);
+    const { length_m } = ship.arrangement;
     const { group: model, note } = await modelOf(read, { file, length_m }, shared);
     if (!isWanted()) {
       dispose(model);
       return "";
     }
     model.position.set(...aboard(origin_m, 0));
-    group.add(model);
-    for (const each of drawn) each.visible = false;
+    ship.group.add(model);
+    for (const each of ship.drawn) each.visible = false;
+    // Of what hides words, only the hull is known.
+    ship.blocks = ship.blocks.slice(0, 1);
     return note;
   } catch (error) {
     const why = error instanceof Error ? error.message : String(error);
