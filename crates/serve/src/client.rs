@@ -98,12 +98,15 @@ async fn exchange(
     loop {
         let message = tokio::select! {
             biased;
+            // The first greeting comes before all answers. Later an answer goes before a greeting: the answer to the
+            // command that opened another scenario would else come after the greeting of that scenario, with which a
+            // client ends.
+            answer = answers.recv(), if is_greeted => Some(answer?.to_string()),
             changed = greeted.changed() => {
                 changed.ok()?;
                 is_greeted = true;
                 greeted.borrow_and_update().as_ref().map(|text| text.to_string())
             }
-            answer = answers.recv() => Some(answer?.to_string()),
             received = socket.recv() => match listener.take(received, hub) {
                 Taken::Nothing => None,
                 Taken::Answer(text) => Some(text),
