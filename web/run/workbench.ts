@@ -145,8 +145,7 @@ export class Workbench {
     const later = [
       import("uplot"),
       import("uplot/dist/uPlot.min.css"),
-      import("../src/bridge/picture"),
-      import("../src/bridge/model"),
+      import("../src/bridge/picture").then(({ loadModels }) => loadModels()),
       import("../src/instruments/components"),
     ];
     Promise.all([this.runner.load(), ...later]).catch((error: unknown) =>

@@ -35,7 +35,8 @@ for (const path of files(dist).toSorted()) {
     brotliCompressSync(bytes).length,
   ];
   const name = relative(dist, path);
-  const isView = /(^|\/)picture-[^/]*\.js$/.test(name);
+  // With the reader of models.
+  const isView = /(^|\/)(picture|model)-[^/]*\.js$/.test(name);
   const isInstruments = /(^|\/)components-[^/]*\.js$/.test(name);
   const isFirst = !isView && !isInstruments && (limit !== undefined || first.has(name));
   const kind = isView ? "view" : isInstruments ? "instruments" : isFirst ? "first" : "later";

@@ -83,6 +83,8 @@ import type { PaletteName } from "../palette";
 import type { BodyNow, ChartInfo, Frame, Hello, LineInfo, LineNow, Pair } from "../protocol";
 import { tugOutline, tugPlace } from "../vector_tug";
 
+export { loadModels } from "./ship_picture";
+
 /** What the picture shows of a frame. */
 export interface Shown {
   tick: number;

@@ -82,6 +82,9 @@ export function plainVessel(outline: Pair[], name: string, levels: LevelInfo[] =
   };
 }
 
+/** The reader of models, which is loaded when a model is there; or before, where no server answers later. */
+export const loadModels = () => import("./model");
+
 /** Longest reason for which a model is not drawn. */
 const LONGEST_WHY = 120;
 
@@ -97,7 +100,7 @@ export async function dress(
   isWanted: () => boolean,
 ): Promise<string> {
   try {
-    const [{ modelOf }, read] = await Promise.all([import("./model"), bytes()]);
+    const [{ modelOf }, read] = await Promise.all([loadModels(), bytes()]);
     const { length_m } = ship.arrangement;
     const { group: model, note } = await modelOf(read, { file, length_m }, shared);
     if (!isWanted()) {
