@@ -66,7 +66,7 @@ export class Workbench {
   private sent: Record<string, string> = {};
   /** The bytes of a model among the files of the run. */
   private readonly model = async (_: number, file: string): Promise<ArrayBuffer> =>
-    Promise.resolve(bytesOf(this.ran[file] ?? ""));
+    bytesOf(this.ran[file] ?? "");
   private plan: Plan | null = null;
   private tabs: Tab[] = [];
   private tabRow: TabRow | null = null;

@@ -83,19 +83,31 @@ function faces(levels: LevelInfo[], to: Solids): void {
   if (lowest) walls(lowest.outline, [BELOW_M, lowest.height_m], CONCRETE, "outside", to);
   levels.slice(1).forEach((high, i) => {
     const low = levels[i] ?? high;
-    const sign = area2(low.outline) > 0 ? 1 : -1;
-    low.outline.forEach((a, k) => {
-      const next = (k + 1) % low.outline.length;
-      const [b, c, d] = [low.outline[next], high.outline[next], high.outline[k]];
-      if (!b || !c || !d) return;
-      const corners: Spot[] = [
-        [...a, low.height_m],
-        [...b, low.height_m],
-        [...c, high.height_m],
-        [...d, high.height_m],
-      ];
-      to.face(corners, [sign * (b[1] - a[1]), -sign * (b[0] - a[0]), 0], CONCRETE);
-    });
+    sides(low.outline, high.outline, low.height_m, high.height_m, CONCRETE, to);
+  });
+}
+
+/** Walls along a ring, to another ring of as many corners. */
+export function sides(
+  ring: Pair[],
+  over: Pair[],
+  from_m: number,
+  to_m: number,
+  colour: number,
+  to: Solids,
+) {
+  const sign = area2(ring) > 0 ? 1 : -1;
+  ring.forEach((a, i) => {
+    const k = (i + 1) % ring.length;
+    const [b, c, d] = [ring[k], over[k], over[i]];
+    if (!b || !c || !d) return;
+    const corners: Spot[] = [
+      [...a, from_m],
+      [...b, from_m],
+      [...c, to_m],
+      [...d, to_m],
+    ];
+    to.face(corners, [sign * (b[1] - a[1]), -sign * (b[0] - a[0]), 0.01], colour);
   });
 }
 

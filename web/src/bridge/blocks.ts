@@ -1,7 +1,7 @@
 /** Rings of a chart with walls and tops. */
 import { ShapeUtils, Vector2 } from "three";
-import { area2, lid } from "./berth";
-import type { Colour, Solids, Spot } from "./solids";
+import { area2, lid, sides } from "./berth";
+import type { Colour, Solids } from "./solids";
 import type { Pair } from "../protocol";
 
 /** How far below datum the banks of coasts reach [m]. */
@@ -27,30 +27,6 @@ export function width(ring: Pair[]): number {
 /** Breadth of the bank of a coast: that of its height, but on a narrow mole less [m]. */
 export const bankOf = (ring: Pair[], ground_m: number): number =>
   Math.min(BANK * (ground_m - BANK_FOOT_M), 0.45 * width(ring));
-
-/** Walls along a ring, to another ring of as many corners. */
-export function sides(
-  ring: Pair[],
-  over: Pair[],
-  from_m: number,
-  to_m: number,
-  colour: number,
-  to: Solids,
-) {
-  const sign = area2(ring) > 0 ? 1 : -1;
-  ring.forEach((a, i) => {
-    const k = (i + 1) % ring.length;
-    const [b, c, d] = [ring[k], over[k], over[i]];
-    if (!b || !c || !d) return;
-    const corners: Spot[] = [
-      [...a, from_m],
-      [...b, from_m],
-      [...c, to_m],
-      [...d, to_m],
-    ];
-    to.face(corners, [sign * (b[1] - a[1]), -sign * (b[0] - a[0]), 0.01], colour);
-  });
-}
 
 /** Walls along a ring and a level top. */
 export function block(

@@ -3,8 +3,8 @@
  * with trees, quays stand as high as fixed bodies, buildings have heights that are usual. Pontoons float.
  */
 import { InstancedMesh, Matrix4, Mesh, Quaternion, Vector3 } from "three";
-import { CONCRETE, area2, inset, isInside } from "./berth";
-import { BANK, BANK_FOOT_M, bankOf, block, cut, sides, width } from "./blocks";
+import { CONCRETE, area2, inset, isInside, sides } from "./berth";
+import { BANK, BANK_FOOT_M, bankOf, block, cut, width } from "./blocks";
 import { geometryOf } from "./fenders";
 import { chance } from "./fittings";
 import { BELOW_DECKS_M, type Site } from "./heights";

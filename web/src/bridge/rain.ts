@@ -99,7 +99,7 @@ export class RainFall {
     this.eye.copy(eye);
     const way = fall(wind);
     this.way.set(way[0] * SEEN_S, way[1] * SEEN_S, way[2] * SEEN_S);
-    // Step by step: with the whole time each gust would move all drops by hours of its change.
+    // The way is summed up step by step. The wind of now times the time of the run would move all drops with each gust.
     const since_s = t_s - (this.t_s ?? t_s);
     this.t_s = t_s;
     const { x, y, z } = this.moved;
